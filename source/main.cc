@@ -20,16 +20,16 @@
 
 namespace
 {
-  /** Give fields back to the system when they are freed: libraries for fast networks tell
-   *  the allocator to keep all it ever had, so that the next stage comes on top. */
+  /** Return the memory of freed fields to the system. Libraries for fast networks tell
+   *  the allocator to keep all of it, so that the next stage would need more on top. */
   void
   give_freed_memory_back()
   {
     constexpr int megabyte = 1 << 20;
     mallopt(M_MMAP_MAX, 1 << 16);
     mallopt(M_MMAP_THRESHOLD, megabyte);
-    // Matrices are made of pieces below that size. Without some slack at the end of the
-    // heap their pages would go back to the system and come again.
+    // Matrices consist of pieces below that size. Without some slack at the end of the
+    // heap their pages would be returned to the system and requested again.
     mallopt(M_TRIM_THRESHOLD, 64 * megabyte);
     mallopt(M_TOP_PAD, 16 * megabyte);
   }
@@ -79,7 +79,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  // PETSc, which deal.II starts together with MPI, aborts where there is none.
+  // PETSc, which deal.II starts together with MPI, aborts if there is no current folder.
   if (std::error_code none; std::filesystem::current_path(none).empty())
     {
       std::cerr << "strait: The current folder is gone; change to another." << std::endl;

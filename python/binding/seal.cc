@@ -27,7 +27,7 @@ namespace strait::python
     // Loads are searched on request, and what is left over by the solver must never
     // decide.
     scene.programme.find_threshold =
-      scene.contact.enabled && scene.fluid.enabled && scene.contact.loads();
+      scene.contact.enabled && scene.fluid.enabled && scene.contact.is_load_controlled();
     for (const std::string &warning : scene.warnings())
       log.warn(warning);
     {

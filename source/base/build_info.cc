@@ -12,7 +12,7 @@ namespace strait
   find_script(const std::string &name)
   {
     namespace fs = std::filesystem;
-    std::error_code ignored; // /proc need not exist: then there is no such folder
+    std::error_code ignored; // a system without /proc is no error
     const fs::path  executable = fs::read_symlink("/proc/self/exe", ignored);
     for (const fs::path &folder : {executable.parent_path() / ".." / "share" / "strait",
                                    fs::path(STRAIT_INSTALLED_TOOLS),

@@ -11,14 +11,14 @@ namespace strait
 {
   namespace
   {
-    /** An exception, as it can be told to other ranks and to the shell. */
+    /** An exception in a form that other ranks and the shell understand. */
     struct Failure
     {
-      int         status = 0;
+      int         status = 0; // exit status; 0: no failure
       std::string message;
     };
 
-    /** What the exception says that is being handled. */
+    /** Status and message of the exception that is being handled. */
     Failure
     current_failure()
     {
@@ -48,15 +48,15 @@ namespace strait
         }
     }
 
-    /** Whether all ranks arrive here within a few seconds. */
+    /** Whether all ranks of @p comm call this within a few seconds. */
     bool
     all_ranks_failed(MPI_Comm comm)
     {
       using Clock = std::chrono::steady_clock;
       MPI_Request request;
       MPI_Ibarrier(comm, &request);
-      // Ranks that fail together fail almost at once, and a longer wait only delays the
-      // message; a shorter one might abort before a rank that is busy gets here.
+      // Ranks that fail together do so almost at once: a longer wait only delays the
+      // message, and a shorter one might abort before a busy rank gets here.
       const auto give_up = Clock::now() + std::chrono::seconds(3);
       int        done    = 0;
       while (done == 0 && Clock::now() < give_up)

@@ -20,7 +20,7 @@ namespace strait
       {"--dry-run", &CommandLine::dry_run},
       {"--quiet", &CommandLine::quiet}};
 
-    /** What asks for something to read, and its formats, the usual one first. */
+    /** The options that print a text, with the formats of each, the default first. */
     const std::map<std::string, std::vector<std::string>> texts = {{"--parameters",
                                                                     {"prm", "md"}},
                                                                    {"--columns", {"md"}},
@@ -122,7 +122,8 @@ namespace strait
   std::string
   list_of_scenes()
   {
-    // Beside the scripts where strait is installed, beside their folder in the sources.
+    // Where strait is installed, the folder is beside the scripts; in the source tree it
+    // is beside their folder.
     std::string folder = find_script("prm");
     if (folder.empty())
       folder = find_script("../prm");

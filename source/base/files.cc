@@ -50,8 +50,8 @@ namespace strait
   void
   require_space(const std::string &path, const std::uintmax_t of_fields, MPI_Comm comm)
   {
-    // More than a file of ours holds beside its fields. Half of it might be too little,
-    // double of it refuses a disk that is fuller than it need be.
+    // An upper bound of what our files hold besides their fields. Half of it might be too
+    // little; double of it refuses disks that have enough room.
     constexpr std::uintmax_t overhead = 1 << 16;
     const std::uintmax_t     bytes    = of_fields + overhead;
     run_on_root(comm, [&]() {

@@ -15,7 +15,7 @@ namespace strait
     {
       const char *name;
       double      molar_mass; // kg/mol
-      double      viscosity;  // Pa s, at room temperature
+      double      viscosity;  // Pa s, at 293.15 K
     };
 
     constexpr Gas gases[] = {{"helium", 4.0026e-3, 19.6e-6},
@@ -276,7 +276,7 @@ namespace strait
                    seconds_in(units.time).value_or(1.);
     if (unit.is_throughput)
       in_si *= fluid.mean_pressure() * pascals_in(units.pressure).value_or(1.);
-    // A gas that is counted by its volume at 0 °C, which is less than at its temperature.
+    // sccm counts the volume of the gas at 0 °C instead of at its own temperature.
     if (std::string(unit.name) == "sccm")
       in_si *= 273.15 / fluid.temperature;
     return in_si / unit.in_si;

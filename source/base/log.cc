@@ -15,12 +15,12 @@ namespace strait
 {
   namespace
   {
-    // Half of it fills the files of batch jobs with progress, double of it leaves in
-    // doubt whether the job still runs.
+    // Half of it fills the output of batch jobs with progress; double of it leaves the
+    // reader in doubt whether the job still runs.
     constexpr std::chrono::seconds plain_progress_interval(10);
 
-    /** Columns of the terminal that is the standard output; 0 if that is none. What
-     *  mpirun reads from its processes looks like a terminal, but has no width. */
+    /** The columns of the terminal on standard output; 0 if it is none. The output of
+     *  processes under mpirun looks like a terminal, but has no width. */
     int
     terminal_width()
     {
@@ -29,10 +29,9 @@ namespace strait
       return size.ws_col;
     }
 
-    constexpr int columns = 80; // of a terminal, as they have been since punched cards
+    constexpr int columns = 80; // the usual width of a terminal
 
-    /** Where the first @p n characters of @p text end; continuation bytes of UTF-8 do not
-     *  count. */
+    /** The position behind the first @p n characters of @p text, which is UTF-8. */
     std::size_t
     end_of(const std::string &text, const int n)
     {
@@ -43,8 +42,7 @@ namespace strait
       return text.size();
     }
 
-    /** A line in pieces that a terminal holds, those that go on indented; words are kept.
-     */
+    /** A line broken at blanks to fit a terminal, with indented continuation lines. */
     std::string
     folded(std::string line)
     {
@@ -181,11 +179,11 @@ namespace strait
     all_warnings = std::move(all);
   }
 
-  /** Over what it was before. */
+  /** Print the live line over the previous one. */
   void
   Log::show_live()
   {
-    // A line that is folded could not be overwritten.
+    // Cut to the width: a line that wraps could not be overwritten.
     if (screen == Screen::terminal && !live.empty())
       stream << "\r" << live.substr(0, end_of(live, width)) << "\x1b[K" << std::flush;
   }

@@ -9,7 +9,7 @@
 void *
 strait::allocate(const std::size_t size) noexcept
 {
-  // As most processors have them under Linux. Another size does no harm.
+  // The size on most processors under Linux. Where it is another, this does no harm.
   constexpr std::size_t large_page = 1 << 21; // bytes
   if (size < large_page)
     return std::malloc(std::max<std::size_t>(size, 1));

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <new>
 
-// A file of its own, so that a program may have another operator.
+// In a file of its own, so that a program can define another operator new.
 
 void *
 operator new(const std::size_t size)

@@ -14,8 +14,8 @@ namespace strait
 {
   namespace
   {
-    /** Whether @p text is a number of the type of @p number and nothing else; not one
-     * that is too small for it. */
+    /** Read @p number from @p text. Return whether the text is a number of that type and
+     *  nothing else; false also for one that underflows to 0. */
     template <typename Number>
     bool
     is_number(const std::string &text, Number &number)
@@ -29,9 +29,9 @@ namespace strait
       return in && in.peek() == std::istringstream::traits_type::eof() && !vanishes;
     }
 
-    // Numbers other than 0 are no further from 1 than this: a conductivity g³/12η and the
-    // squares of what follows from it are then still far from the limits of a double. In
-    // any consistent units seals are within 1e±20; with 1e±60 these squares vanish.
+    // Numbers other than 0 lie between this and its reciprocal: a conductivity g³/12η and
+    // the squares of what follows from it are then far from the limits of a double. Seals
+    // are within 1e±20 in any consistent units; with 1e±60 these squares underflow.
     constexpr double largest_magnitude = 1e30;
 
     bool
@@ -50,7 +50,7 @@ namespace strait
       return std::string(2 * open.size(), ' ');
     }
 
-    /** Leave the open subsections that are not around @p section and enter the others. */
+    /** Close the @p open subsections that do not enclose @p section, open the others. */
     void
     go_to(const std::vector<std::string> &section,
           std::vector<std::string>       &open,
@@ -69,7 +69,7 @@ namespace strait
         }
     }
 
-    /** @p text as lines of a comment. */
+    /** Print @p text as lines of a comment in a scene file. */
     void
     print_comment(const std::string &text, const std::string &indent, std::ostream &out)
     {
@@ -85,7 +85,8 @@ namespace strait
       out << line << "\n";
     }
 
-    /** With what it counts for in its section, if that is more than its effect. */
+    /** The meaning of @p parameter, preceded by its conditions on its own section, but
+     *  for Enabled and for alternatives. */
     std::string
     meaning_of(const Parameter &parameter)
     {
@@ -99,7 +100,7 @@ namespace strait
              parameter.meaning;
     }
 
-    /** Text in which nothing marks up. */
+    /** @p text with the characters escaped that Markdown would interpret. */
     std::string
     escaped(const std::string &text)
     {
@@ -152,7 +153,7 @@ namespace strait
   Parameter &
   ParameterTable::find(const SceneEntry &entry)
   {
-    // By the name that --set takes where that is what was written.
+    // A name with a slash was written as --set takes it: compare it with whole paths.
     const bool is_whole = entry.name.find('/') != std::string::npos;
     const auto called   = [&](const Parameter &parameter) {
       return (is_whole ? parameter.section + "/" : "") + parameter.name;
@@ -219,7 +220,7 @@ namespace strait
           throw std::logic_error("No parameter " + sides.front() + " to depend on.");
         const auto values = split(sides.back(), ',');
         if (sides.size() == 1
-              ? decider->value != decider->usual
+              ? decider->value != decider->default_value
               : std::find(values.begin(), values.end(), decider->value) != values.end())
           return true;
       }
@@ -237,7 +238,7 @@ namespace strait
           std::find_if_not(conditions.begin(),
                            conditions.end(),
                            [this](const std::string &each) { return holds(each); });
-        if (missed == conditions.end() || parameter.value == parameter.usual)
+        if (missed == conditions.end() || parameter.value == parameter.default_value)
           continue;
         auto with = std::find_if(idle.begin(), idle.end(), [&](const auto &group) {
           return group.first == *missed;

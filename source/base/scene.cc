@@ -17,7 +17,7 @@ namespace strait
     std::string
     read_file(const std::string &path)
     {
-      std::error_code none; // what cannot be looked at is not read either
+      std::error_code none; // ignored: the file cannot be opened then either
       if (std::filesystem::is_directory(path, none))
         throw InputError("The scene '" + path + "' is a folder; give a .prm file.");
       std::ifstream in(path);
@@ -27,7 +27,8 @@ namespace strait
       return std::string(std::istreambuf_iterator<char>(in), {});
     }
 
-    /** Defaults are numbers for scenes without units. */
+    /** Note the numbers that a scene with units does not give. Their defaults are meant
+     *  for scenes without units. */
     template <typename IsGiven>
     void
     warn_of_forgotten_numbers(Scene &scene, const IsGiven &is_given)
@@ -104,8 +105,8 @@ namespace strait
   std::vector<SceneEntry>
   read_entries(const std::string &path, const Overrides &overrides)
   {
-    // Files and the current folder are rank 0's; from the broadcast on, every
-    // rank does the same with the same text and meets the same errors.
+    // Only rank 0 reads the file and the current folder. After the broadcast every rank
+    // does the same with the same text, and finds the same errors.
     namespace fs = std::filesystem;
     std::string text, folder, here;
     run_on_root(MPI_COMM_WORLD, [&]() {

@@ -13,7 +13,7 @@ namespace strait
     void
     check_programme(const Scene &scene)
     {
-      const bool by_load = scene.contact.loads();
+      const bool by_load = scene.contact.is_load_controlled();
       require(!scene.programme.find_threshold ||
                 (scene.contact.enabled && scene.fluid.enabled && by_load &&
                  scene.surface.kind != SurfaceKind::flat),
@@ -30,7 +30,7 @@ namespace strait
     check_pressures(const Scene &scene)
     {
       const ContactParameters &contact = scene.contact;
-      const bool               by_load = contact.loads();
+      const bool               by_load = contact.is_load_controlled();
       for (const double value : scene.programme.pressures)
         {
           const auto require_here = [value](const bool         condition,
@@ -101,12 +101,12 @@ namespace strait
               "Theory/Dimension parameter = from threshold knows the simulated "
               "contact fraction at the threshold, not what a slip length "
               "blocks; take Gap distribution = persson or no slip length.");
-      require(simulates || scene.contact.loads(),
+      require(simulates || scene.contact.is_load_controlled(),
               "Theory/Enabled without Contact and Fluid takes Load programme/"
               "Pressures as loads; set Contact/Control = load.");
     }
 
-    /** What a contact that yields cannot be combined with, and why. */
+    /** Refuse what a contact that yields cannot be combined with, and say why. */
     void
     check_yielding(const Scene &scene)
     {
@@ -125,7 +125,7 @@ namespace strait
       require_here(
         contact.method == ContactMethod::dual_cg,
         "needs a solver that knows such a bound; set Contact/Solver = dual CG.");
-      require_here(contact.loads(),
+      require_here(contact.is_load_controlled(),
                    "changes the surface that a mean gap is counted from; set "
                    "Contact/Control = load.");
       require_here(
@@ -146,7 +146,8 @@ namespace strait
         "Load programme/Pressures, which must be the largest.");
     }
 
-    /** That the realisations of a measured map are windows of it. */
+    /** Check that each seed gives another surface; those of a measured map are windows of
+     *  it. */
     void
     check_windows(const Scene &scene)
     {
@@ -174,7 +175,7 @@ namespace strait
         "or they would be copies.");
     }
 
-    /** Which way the surface of each realisation is turned. */
+    /** Check that only one of the sections Surface and Realisations turns the surface. */
     void
     check_orientations(const Scene &scene)
     {
@@ -186,13 +187,15 @@ namespace strait
                 name_of(turned) + ".");
     }
 
-    /** What a whole seal is made of. */
+    /** Check that a whole seal has leak rates of boxes under loads, and at least two
+     *  patches along the flow. */
     void
     check_whole_seal(const Scene &scene)
     {
       if (!scene.seal.enabled)
         return;
-      require(scene.contact.enabled && scene.fluid.enabled && scene.contact.loads() &&
+      require(scene.contact.enabled && scene.fluid.enabled &&
+                scene.contact.is_load_controlled() &&
                 !scene.programme.pressures.empty() && scene.fluid.mesh_file.empty(),
               "Seal/Enabled needs leak rates of boxes under loads: Contact/Enabled, "
               "Fluid/Enabled, Contact/Control = load, Load programme/Pressures, and no "
@@ -210,7 +213,7 @@ namespace strait
         "Orientations.");
     }
 
-    /** What windows of finer points cannot be combined with, and why. */
+    /** Refuse what windows of finer points cannot be combined with, and say why. */
     void
     check_zoom(const Scene &scene)
     {
@@ -220,7 +223,8 @@ namespace strait
         require(condition, "Contact/Zoom " + reason);
       };
       require_here(
-        scene.contact.enabled && scene.fluid.enabled && scene.contact.loads(),
+        scene.contact.enabled && scene.fluid.enabled &&
+          scene.contact.is_load_controlled(),
         "resolves the throats of a contact that a fluid flows through; it needs "
         "Contact/Enabled, Fluid/Enabled and Contact/Control = load.");
       require_here(
@@ -235,7 +239,7 @@ namespace strait
         scene.fluid.mesh_file.empty(),
         "follows the flow through the box and not through Fluid/Mesh; remove one "
         "of them.");
-      // A window has room on a grid that is as wide as what surrounds it.
+      // A window fits into a grid that is as wide as its margins, see ZoomWindow::margin.
       require_here(std::min(scene.contact.grid_points[0], scene.contact.grid_points[1]) >=
                      8,
                    "needs Contact/Grid points of 8 or more.");

@@ -19,7 +19,7 @@ namespace strait
       int         number;
     };
 
-    /** Lines without comments, continued lines joined, blank ones dropped. */
+    /** The lines without comments; continued lines are joined, blank ones dropped. */
     std::vector<Line>
     logical_lines(const std::string &text)
     {
@@ -42,7 +42,7 @@ namespace strait
       return lines;
     }
 
-    /** First word in lower case, and what follows it. */
+    /** The first word in lower case, and the rest of the line. */
     std::pair<std::string, std::string>
     first_word(const std::string &line)
     {
@@ -51,7 +51,7 @@ namespace strait
               end == std::string::npos ? "" : trim(line.substr(end))};
     }
 
-    /** White space inside a name counts as one blank. */
+    /** A name with each run of white space inside it replaced by one blank. */
     std::string
     squeeze(const std::string &name)
     {
@@ -65,8 +65,8 @@ namespace strait
     std::vector<SceneEntry>    entries;
     std::vector<std::string>   section;
     std::vector<std::string>   opened_at;
-    std::map<std::string, int> lines_of_settings; // by their paths
-    for (const Line &line : logical_lines(without_mark(text)))
+    std::map<std::string, int> lines_of_settings; // by path
+    for (const Line &line : logical_lines(without_byte_order_mark(text)))
       {
         if (line.text.empty())
           continue;
@@ -75,7 +75,7 @@ namespace strait
         const auto equals       = rest.find('=');
         if (word == "subsection" && !rest.empty())
           {
-            // Deeper than any scene; each entry keeps all names that it is within.
+            // Deeper than any scene. Each entry stores the names of all that enclose it.
             constexpr std::size_t deepest = 16;
             require(section.size() != deepest,
                     place + ": the subsection '" + squeeze(rest) + "' lies within " +

@@ -11,9 +11,10 @@ namespace strait
 {
   namespace
   {
-    volatile std::sig_atomic_t caught = 0, speaks = 0; // the first rank does
+    // The signal noted last, 0: none; whether this rank prints messages, as rank 0 does.
+    volatile std::sig_atomic_t caught = 0, speaks = 0;
 
-    /** Nothing else may print in a handler. */
+    /** Print by write(): a handler of signals may not use streams. */
     void
     say(const char *sentence)
     {
@@ -30,7 +31,7 @@ namespace strait
             "\nstrait: Ended at once, as it was asked to twice; --resume continues from "
             "the last checkpoint, if there is one.\n");
           std::signal(number, SIG_DFL);
-          std::raise(number); // once this handler is left
+          std::raise(number); // takes effect when this handler returns
           return;
         }
       caught = number;
@@ -50,7 +51,7 @@ namespace strait
       {
         struct sigaction action = {};
         action.sa_handler       = note_signal;
-        action.sa_flags         = SA_RESTART; // reads and writes go on
+        action.sa_flags         = SA_RESTART; // continue interrupted reads and writes
         sigemptyset(&action.sa_mask);
         sigaction(number, &action, nullptr);
       }

@@ -11,7 +11,7 @@ namespace strait
 {
   namespace
   {
-    /** The wavelengths and the height of a self-affine surface. */
+    /** Check the wavelengths and the rms value of a self-affine surface. */
     void
     check_spectrum(const SurfaceParameters &surface)
     {
@@ -117,7 +117,7 @@ namespace strait
     section.add("Size", size, positive).meaning =
       "Lx, Ly: sides of the periodic box [length]; one number: a square. Kind = file: if "
       "empty, the map's own.";
-    // The theory alone needs a surface only for its spectrum.
+    // The theory alone needs heights only if their spectrum is asked for.
     ParameterSection heights = section.when(
       "Contact/Enabled = true | Fluid/Enabled = true | Theory/Spectrum = surface");
     heights.when("Kind = self-affine, file")

@@ -38,7 +38,7 @@ namespace strait
   TableFile::TableFile(const std::string &file_,
                        const Condition   &condition,
                        const std::string &definition)
-    : of_table(condition)
+    : table_condition(condition)
     , about{file_,
             (condition.text.empty() ? "" : "Written " + condition.text + ". ") +
               definition,
@@ -57,8 +57,9 @@ namespace strait
     about.columns.push_back(
       {heading.substr(0, bracket),
        is_text ? "" : heading.substr(bracket + 2, heading.size() - bracket - 3),
-       definition + (of_columns.text.empty() ? "" : "; only " + of_columns.text),
-       of_table.holds && of_columns.holds});
+       definition +
+         (column_condition.text.empty() ? "" : "; only " + column_condition.text),
+       table_condition.holds && column_condition.holds});
   }
 
   void
@@ -76,8 +77,8 @@ namespace strait
   void
   TableFile::write(const std::vector<std::string> &entries)
   {
-    // Found by its name each time: what another program may have put in its place goes
-    // on.
+    // Opened by name each time, so that a file that another program has put in its place
+    // is continued.
     std::error_code error;
     const bool      is_new = !std::filesystem::exists(file_name, error);
     const auto      size   = is_new ? 0 : std::filesystem::file_size(file_name, error);
@@ -95,7 +96,7 @@ namespace strait
     file.close();
     if (file)
       return;
-    // Half a row would be worse than none, and no table better than one without a header.
+    // Half a row would be worse than none, and a table without a header worse than none.
     if (!error && is_new)
       std::filesystem::remove(file_name, error);
     else if (!error)

@@ -12,14 +12,14 @@ namespace strait
 {
   namespace
   {
-    /** How many characters must be inserted, removed, replaced or swapped with their
-     *  neighbour to turn @p from into @p to; case does not count. */
+    /** The number of characters that must be inserted, removed, replaced or swapped with
+     *  their neighbour to turn @p from into @p to; case is ignored. */
     int
     edit_distance(const std::string &from, const std::string &to)
     {
       const std::string a = boost::to_lower_copy(from), b = boost::to_lower_copy(to);
-      // distance[i][j]: of the first i letters of a from the first j of b
-      // (optimal string alignment).
+      // distance[i][j]: from the first i letters of a to the first j of b (optimal string
+      // alignment).
       std::vector<std::vector<int>> distance(a.size() + 1,
                                              std::vector<int>(b.size() + 1));
       for (std::size_t i = 0; i <= a.size(); ++i)
@@ -45,7 +45,7 @@ namespace strait
   }
 
   std::string
-  without_mark(const std::string &text)
+  without_byte_order_mark(const std::string &text)
   {
     const std::string mark = "\xef\xbb\xbf";
     return text.substr(text.compare(0, mark.size(), mark) == 0 ? mark.size() : 0);
@@ -96,8 +96,8 @@ namespace strait
     };
     const auto nearest =
       std::min_element(candidates.begin(), candidates.end(), is_nearer);
-    // A smaller part of the length misses more misspellings, a larger one suggests names
-    // that have nothing to do with the word.
+    // A smaller fraction of the length misses more misspellings; a larger one suggests
+    // names that have nothing to do with the word.
     const bool is_near = nearest != candidates.end() &&
                          2 * edit_distance(word, *nearest) <
                            static_cast<int>(std::max(word.size(), nearest->size()));

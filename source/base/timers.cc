@@ -44,7 +44,7 @@ namespace strait
             append(part, path_here, depth + 1, part.seconds);
             rest -= part.seconds;
           }
-        // A part that is still being timed has less on its clock than its own parts.
+        // While a part is still being timed, it may have less time than its own parts.
         rows.push_back({path_here + "other", depth + 1, std::max(rest, 0.)});
       };
     append(total_time, "", 0, seconds_since(start));

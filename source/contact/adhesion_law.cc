@@ -18,11 +18,11 @@ namespace strait
     }
 
     /**
-     * The same of f = 1/(1 + s)²: van der Waals forces between half-spaces at the
-     * distance D = z0 + g, −A/(12π D²) with Hamaker's constant A = 12π γ0 z0²
-     * (Israelachvili, Intermolecular and Surface Forces, 2011). It is the attractive part
-     * of the 3-9 law between surfaces that Lennard-Jones' potential gives, with the hard
-     * wall in place of the repulsive one.
+     * f, −f' and f'' of f = 1/(1 + s)²: the energy of van der Waals forces between
+     * half-spaces at the distance D = z0 + g, −A/(12π D²), with Hamaker's constant
+     * A = 12π γ0 z0² (Israelachvili, Intermolecular and Surface Forces, 2011). It is the
+     * attractive part of the 3-9 law that the Lennard-Jones potential gives for surfaces;
+     * the hard wall replaces the repulsive part.
      */
     Values
     van_der_waals(const double s)
@@ -48,7 +48,7 @@ namespace strait
                         double           *traction,
                         double           *curvature) const
   {
-    // A copy, for all the compiler knows a write to a field might change the law.
+    // A copy, because for all the compiler knows a write to a field might change the law.
     const AdhesionLaw law        = *this;
     const Values      in_contact = law.at(0.);
     double            energy     = 0;

@@ -15,23 +15,22 @@ namespace strait
 {
   namespace
   {
-    // Smallest resolution without an error. At half of it runs pass whose contact lines
-    // stick to the grid, at double of it runs are refused that are coarse but usable.
+    // Smallest resolution without an error. Half of it admits runs whose contact lines
+    // stick to the grid; double of it refuses runs that are coarse but usable.
     constexpr double unresolved_adhesion = .8;
 
-    // Of the contact area, relative. Half and double of it cost or save about one contact
-    // problem of the search, and change the surface energy by as little as that.
+    // Relative tolerance of the matched contact area. Half of it costs and double of it
+    // saves about one contact problem, and changes the surface energy by as small a part.
     constexpr double area_tolerance = 1e-3;
 
-    /** A surface energy, and how many times the contact area without adhesion it makes.
-     */
+    /** A surface energy and its contact area, over the contact area without adhesion. */
     struct Match
     {
       double surface_energy;
       double growth;
     };
 
-    /** γ0 at which the contact area doubles, see adhesion_of_scene(). */
+    /** Find the γ0 at which the contact area doubles; see adhesion_of_scene(). */
     Match
     match_area(const ContactParameters                  &scene,
                const std::function<AdhesionLaw(double)> &law_of,
@@ -57,8 +56,8 @@ namespace strait
                                      heights);
         return solver.solve(pressure, &without).contact_area / wanted - 1;
       };
-      // The area grows with γ0, with jumps: enclose it, then halve the logarithm or
-      // follow the secant of the ends, in turns.
+      // The area grows with γ0, with jumps. First enclose the solution; then take two
+      // secant steps between the ends and one bisection of the logarithm, in turns.
       double low = 0, high = 0, below = -.5, above = 0;
       double energy = pressure * without.mean_gap;
       for (int k = 0; k < iteration_limit; ++k)
@@ -72,8 +71,8 @@ namespace strait
             energy *= high == 0 ? 2. : .5;
           else if (high < low * (1 + area_tolerance))
             {
-              // A jump skips the doubled area. Nearer to it rounding would decide on
-              // which side of it the run begins.
+              // The area jumps past the doubled one. Still closer to the jump, rounding
+              // would decide on which side of it the run begins.
               energy = low / (1 + area_tolerance);
               return {energy, 2 * (1 + excess(energy))};
             }
@@ -92,14 +91,14 @@ namespace strait
   {
     const AdhesionParameters &adhesion = parameters.adhesion;
     const double              modulus  = parameters.effective_modulus;
-    // Most of a sphere's spectrum is that of the edge where its periods meet.
+    // The spectrum of a periodic sphere is mostly that of the edge where periods meet.
     const double curvature_radius = adhesion.sphere_radius > 0
                                       ? adhesion.sphere_radius
                                       : statistics(heights).curvature_radius;
     if (adhesion.tabor_number > 0 && !std::isfinite(curvature_radius))
       throw InputError(
         "Contact/Adhesion/Tabor number says nothing about a flat surface; give Range.");
-    // The range of the Tabor number 1.
+    // The range at which the Tabor number is 1.
     const auto unit_range = [=](const double surface_energy) {
       return std::cbrt(curvature_radius * std::pow(surface_energy / modulus, 2));
     };

@@ -15,15 +15,15 @@ namespace strait
 {
   namespace
   {
-    /** Largest change of the gap by a push, in ranges. Half of it takes the optimiser
-     *  longer to leave a saddle point, or leaves it there; double of it may push past the
-     *  state that is next. */
+    /** Largest change of the gap in a push off a saddle point, in units of the range z0.
+     *  With half of it the optimiser takes longer to leave the saddle point, or does not;
+     *  double of it may push past the next state. */
     constexpr double push = .1;
 
-    /** A quotient of this size is rounding. */
+    /** A Rayleigh quotient up to this size is 0 but for rounding. */
     const double curvature_noise = std::sqrt(std::numeric_limits<double>::epsilon());
 
-    /** The rms of K h, E* times the rms slope over 2. */
+    /** Return the rms of K h, which is E* times the rms slope over 2. Collective. */
     double
     flattening_traction(GapProblem &problem, const SlabLayoutPtr &layout)
     {
@@ -53,15 +53,16 @@ namespace strait
   {
     check(target, from);
     wall.deform(fluid_pressure);
-    const bool          is_dry   = fluid_pressure == nullptr;
-    const double        of_solid = parameters.loads() ? target - wall.fluid_load : target;
-    SlabField           gap      = start_gap(target, of_solid, from, is_dry);
+    const bool   is_dry = fluid_pressure == nullptr;
+    const double solid_target =
+      parameters.is_load_controlled() ? target - wall.fluid_load : target;
+    SlabField           gap = start_gap(target, solid_target, from, is_dry);
     std::vector<double> softest;
     if (from != nullptr && from->adhesion)
       softest = from->adhesion->softest_direction;
 
     const long n_before  = problem.n_applications();
-    const auto optimiser = make_optimiser(of_solid);
+    const auto optimiser = make_optimiser(solid_target);
 
     GapSolution                 solution;
     int                         iterations = 0;
@@ -79,13 +80,13 @@ namespace strait
         if (!solution.converged || found.detached)
           break;
         curvature = optimiser->smallest_curvature(softest);
-        // What was pushed off and did not fall has come back to where it was.
+        // A state that was pushed off and has no lower energy came back to the saddle.
         if (curvature > -curvature_noise || !(found.total_energy < energy))
           break;
         energy = found.total_energy;
         push_off(softest, gap);
       }
-    // A saddle point that could not be left is not what was asked for.
+    // A saddle point that could not be left is no solution.
     solution.converged &= !(curvature < -curvature_noise);
     solution.iterations                  = iterations;
     solution.adhesion.smallest_curvature = curvature;
@@ -97,16 +98,16 @@ namespace strait
     ContactState state = state_of(*optimiser, std::move(solution), std::move(gap));
     state.fft_pairs    = problem.n_applications() - n_before;
     state.approach     = from != nullptr && is_dry
-                           ? Approach(of_solid, from->gap, from->approach.target())
-                           : Approach(of_solid);
+                           ? Approach(solid_target, from->gap, from->approach.target())
+                           : Approach(solid_target);
     return state;
   }
 
   std::unique_ptr<GapOptimiser>
   AdhesiveContactSolver::make_optimiser(const double target)
   {
-    const bool by_load = parameters.loads();
-    // A flat surface has no traction of its own.
+    const bool by_load = parameters.is_load_controlled();
+    // A flat surface has no traction scale of its own.
     const double           scale = traction_scale > 0 ? traction_scale
                                    : by_load          ? std::abs(target)
                                                       : problem.adhesion.at(0).traction;
@@ -124,7 +125,7 @@ namespace strait
   void
   AdhesiveContactSolver::check(const double target, const ContactState *from) const
   {
-    if (!std::isfinite(target) || (!parameters.loads() && !(target > 0)))
+    if (!std::isfinite(target) || (!parameters.is_load_controlled() && !(target > 0)))
       throw InputError("Load programme/Pressures contains " + to_text(target) +
                        " but a mean gap must be positive.");
     if (from == nullptr && !unloads && !(target > 0))
@@ -133,12 +134,13 @@ namespace strait
                        "makes contact, from which tension can pull.");
   }
 
-  /** Without a state @p from, that of the scene's start; else where it and the one before
-   *  it lead to. What closes there stays closed. The solid carries @p of_solid of the
-   *  @p target. */
+  /** Return a start: without a state @p from as the constructor says; after a short step
+   *  the extrapolation of @p from and the state before, with points that close in it at
+   *  0; else the gap of @p from. The solid carries @p solid_target of the @p target.
+   *  Collective. */
   SlabField
   AdhesiveContactSolver::start_gap(const double        target,
-                                   const double        of_solid,
+                                   const double        solid_target,
                                    const ContactState *from,
                                    const bool          is_dry) const
   {
@@ -149,15 +151,16 @@ namespace strait
         ContactParameters without = parameters;
         without.tolerance         = std::max(1e-4, parameters.tolerance);
         return ContactSolver(without, wall.heights)
-          .solve(of_solid > 0 ? of_solid : target)
+          .solve(solid_target > 0 ? solid_target : target)
           .gap;
       }
-    const double steps   = from->approach.steps_to(of_solid);
+    const double steps   = from->approach.steps_to(solid_target);
     const bool   is_near = is_dry && steps > 0 && steps <= 2;
-    return is_near ? from->approach.extrapolated(from->gap, of_solid) : from->gap;
+    return is_near ? from->approach.extrapolated(from->gap, solid_target) : from->gap;
   }
 
-  /** Leave a saddle point of the energy along @p v, towards smaller gaps. */
+  /** Push @p gap off a saddle point of the energy along @p v, towards smaller gaps.
+   *  Collective. */
   void
   AdhesiveContactSolver::push_off(const std::vector<double> &v, SlabField &gap) const
   {
@@ -169,7 +172,7 @@ namespace strait
     for (const double value : v)
       largest = std::max(largest, std::abs(value));
     largest = maximum(problem.communicator, largest);
-    // A mean of zero but for rounding must give the same sign everywhere.
+    // If the mean is 0 but for rounding, the sign must not depend on rounding.
     const bool   inwards = mean > rounding * std::sqrt(square);
     const double factor  = (inwards ? -push : push) * problem.adhesion.range / largest;
     for (std::size_t i = 0; i < gap.size(); ++i)
@@ -182,7 +185,8 @@ namespace strait
                                   SlabField           gap) const
   {
     SlabField pressure(wall.heights.layout_pointer());
-    // Within the tolerance a point may be held by no force, but it is held.
+    // Within the tolerance the reaction at a closed point may not be positive. The point
+    // is in contact all the same.
     for (std::size_t i = 0; i < gap.size(); ++i)
       pressure[i] = gap[i] > 0 ? 0.
                                : std::max(optimiser.reaction()[i],

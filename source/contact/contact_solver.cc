@@ -15,25 +15,28 @@ namespace strait
 {
   namespace
   {
-    /** Residual on the coarser grids: their discretisation error is larger. Ten times as
-     * much leaves half as many pairs again to a finest grid of 4096² points, where one
-     * costs most, a tenth of it takes longer in all for a start that is no better. */
+    /** Residual on the coarser grids; their discretisation error is larger. With ten
+     *  times this value a finest grid of 4096² points, where an FFT pair costs most,
+     *  takes half as many pairs again; a tenth of it takes longer in all for a start that
+     *  is no better. */
     constexpr double coarse_tolerance = 1e-3;
 
-    /** To a state on a line with the last, relative to its load or gap. Half of it sends
-     *  steps to the coarser grids that are shorter from the last states, double of it the
-     *  other way round; the result is the same within the tolerance. */
+    /** Longest step of the load (or mean gap) that starts from the last states, relative
+     *  to the last. With half of it some steps start from coarser grids that cost less
+     *  from the last states, with double of it the reverse; the result is the same within
+     *  the tolerance. */
     constexpr double longest_step = .12;
 
-    /** The pressure at @p target by states near to it, further on the line of those that
-     *  are @p dry or that of @p from; nothing where coarser grids know it better. */
+    /** Predict the pressure at @p target, which is near to @p from: on the line through
+     *  the last two states if they are @p dry, or as that of @p from. Return nothing
+     *  where coarser grids give a better start. */
     std::optional<SlabField>
-    foretell(const ContactState &from, const double target, const bool dry)
+    predict(const ContactState &from, const double target, const bool dry)
     {
       if (dry && std::abs(from.approach.steps_to(target)) <= 2.)
         return from.approach.extrapolated(from.pressure, target);
-      // Rounds of contact and flow are to go on from each other, a load that is solved
-      // again from itself, and coarser grids know nothing of windows.
+      // Rounds of contact and flow continue from each other, and a load that is solved
+      // again continues from itself. Coarser grids know nothing of windows.
       if (!dry || target == from.approach.target() ||
           !from.pressure.layout().windows().empty())
         return from.pressure;
@@ -58,30 +61,32 @@ namespace strait
     const SlabField *indentation =
       from != nullptr && from->plasticity ? &from->plasticity->indentation : nullptr;
     wall.deform(fluid_pressure, indentation);
-    // What the solid is to carry, or the mean gap that it is to keep.
-    const double of_solid = parameters.loads() ? target - wall.fluid_load : target;
-    check(target, of_solid);
+    // The load on the solid, or the prescribed mean gap.
+    const double solid_target =
+      parameters.is_load_controlled() ? target - wall.fluid_load : target;
+    check(target, solid_target);
 
     // Only states under the same fluid lie on a line.
     const bool   is_dry = fluid_pressure == nullptr;
     const double before = from != nullptr ? from->approach.target() : 0.;
     const bool   is_next =
-      from != nullptr && std::abs(of_solid - before) / before <= longest_step;
-    // Windows around the throats of a load far away are no help.
+      from != nullptr && std::abs(solid_target - before) / before <= longest_step;
+    // Windows around the throats of a distant load are of no use.
     const SlabLayoutPtr &layout = !is_dry   ? fluid_pressure->layout_pointer()
                                   : is_next ? from->pressure.layout_pointer()
                                             : wall.heights.layout_pointer();
 
     std::optional<SlabField> start;
     if (is_next)
-      start = foretell(*from, of_solid, is_dry);
-    SlabField    pressure = start ? std::move(*start) : start_without(layout, of_solid);
-    SlabField    gap(layout);
+      start = predict(*from, solid_target, is_dry);
+    SlabField pressure = start ? std::move(*start) : start_without(layout, solid_target);
+    SlabField gap(layout);
     DualProblem &contact = problem_on(layout, fluid_pressure);
     const double residual =
       digits == Digits::all ? parameters.tolerance : std::sqrt(parameters.tolerance);
     const long            n_before = contact.n_applications();
-    const ContactSolution solution = optimise(contact, of_solid, residual, pressure, gap);
+    const ContactSolution solution =
+      optimise(contact, solid_target, residual, pressure, gap);
     problem.release();
 
     std::optional<PlasticState> plasticity;
@@ -90,25 +95,26 @@ namespace strait
         indent(indentation, pressure, gap, parameters.hardness, solution.converged);
     ContactState state = state_of(solution, std::move(pressure), std::move(gap));
     state.plasticity   = std::move(plasticity);
-    if (parameters.loads())
-      state.nominal_pressure = target; // the mean, without its rounding
+    if (parameters.is_load_controlled())
+      state.nominal_pressure = target; // the mean without rounding
     state.fft_pairs = contact.n_applications() - n_before;
     if (is_next && is_dry)
-      state.approach =
-        of_solid == before ? from->approach : Approach(of_solid, from->pressure, before);
+      state.approach = solid_target == before
+                         ? from->approach
+                         : Approach(solid_target, from->pressure, before);
     else
-      state.approach = Approach(of_solid);
+      state.approach = Approach(solid_target);
     return state;
   }
 
-  /** A start without a state near to it. Collective. */
+  /** Return a start where no state near @p target is known. Collective. */
   SlabField
   ContactSolver::start_without(const SlabLayoutPtr &layout, const double target)
   {
     SlabField start = start_from_coarser_grid(wall.heights, target);
     if (layout->windows().empty())
       return start;
-    // All digits come with the windows.
+    // The other digits follow in the solution with windows.
     SlabField gap(wall.heights.layout_pointer());
     optimise(problem, target, std::sqrt(parameters.tolerance), start, gap);
     return zoom_in(start, layout->windows());
@@ -118,9 +124,9 @@ namespace strait
   ContactSolver::cold_start(const SlabField &grid_heights, const double target) const
   {
     SlabField start(grid_heights.layout_pointer(), target);
-    if (parameters.loads())
+    if (parameters.is_load_controlled())
       return start;
-    // Where the surfaces would overlap, in proportion to the overlap.
+    // In proportion to the overlap of the undeformed surfaces.
     const double stiffness =
       parameters.effective_modulus / grid_heights.grid().mean_side();
     for (std::size_t i = 0; i < start.size(); ++i)
@@ -147,7 +153,7 @@ namespace strait
                coarse_gap);
     }
 
-    // Interpolated contact is too wide: drop what is next to an open gap.
+    // The interpolated contact is too wide: drop points next to an open gap.
     const SlabLayoutPtr &layout    = fine_heights.layout_pointer();
     SlabField            start     = prolong_bilinearly(coarse_pressure, layout);
     const SlabField      gap       = prolong_bilinearly(coarse_gap, layout);
@@ -156,13 +162,13 @@ namespace strait
     for (std::size_t i = 0; i < start.size(); ++i)
       if (!(start[i] > steepness * gap[i]))
         start[i] = 0;
-    // On a coarse grid a lone peak may have been missed.
+    // The coarse grid may have missed a lone peak.
     return max_value(start) > 0 ? std::move(start) : cold_start(fine_heights, target);
   }
 
-  /** The problem on the grid, or with the windows of @p layout as well, where a fluid of
-   *  the pressure @p fluid_pressure, unless that is null, displaces the half-space.
-   *  Collective. */
+  /** Return the problem on the grid or, if @p layout has windows, on grid and windows. In
+   *  the latter, a fluid of the pressure @p fluid_pressure displaces the half-space,
+   *  unless that is null; on the grid, Wall::deform() has done this. Collective. */
   DualProblem &
   ContactSolver::problem_on(const SlabLayoutPtr &layout, const SlabField *fluid_pressure)
   {
@@ -196,12 +202,12 @@ namespace strait
   }
 
   void
-  ContactSolver::check(const double target, const double of_solid) const
+  ContactSolver::check(const double target, const double solid_target) const
   {
     if (!(target > 0) || !std::isfinite(target))
       throw InputError(format("Load programme/Pressures contains %g but a %s",
                               target,
-                              parameters.loads()
+                              parameters.is_load_controlled()
                                 ? "nominal pressure must be positive: without a load "
                                   "the surfaces never make contact."
                                 : "mean gap must be positive: it is 0 only under an "
@@ -212,7 +218,7 @@ namespace strait
                "must be less than Contact/Hardness = %g.",
                target,
                parameters.hardness));
-    if (!(of_solid > 0))
+    if (!(solid_target > 0))
       throw ComputationError(
         format("The fluid carries a mean pressure of %g, more than the nominal pressure "
                "of %g, so the surfaces do not stay in contact.",
@@ -220,7 +226,8 @@ namespace strait
                target));
   }
 
-  /** Solve to the tolerance @p residual, in units of the rms height. Collective. */
+  /** Solve @p on_grid to the tolerance @p residual, in units of the rms height.
+   *  Collective. */
   ContactSolution
   ContactSolver::optimise(DualProblem &on_grid,
                           const double target,
@@ -228,19 +235,21 @@ namespace strait
                           SlabField   &grid_pressure,
                           SlabField   &grid_gap)
   {
-    // A flat surface has no rms height; what remains is rounding of the
-    // displacement that the load itself would cause over the box.
+    // A flat surface has no rms height. Its only error is rounding of the displacement
+    // that the load would cause over the box.
     const double length = wall.rms_height > 0 ? wall.rms_height
                                               : target * wall.heights.grid().mean_side() /
                                                   parameters.effective_modulus;
-    // The displacement under pressure has the mean 0.
-    const double held = parameters.loads() ? target : target + wall.mean_height;
-    return find_pressure(parameters.method,
-                         {on_grid,
-                          {parameters.loads(), held, parameters.largest_pressure()},
-                          {residual, length, parameters.maximum_iterations},
-                          grid_pressure.data(),
-                          grid_gap.data()});
+    // Displacements G p have the mean 0: u0 is the mean gap plus the mean height.
+    const double held =
+      parameters.is_load_controlled() ? target : target + wall.mean_height;
+    return find_pressure(
+      parameters.method,
+      {on_grid,
+       {parameters.is_load_controlled(), held, parameters.largest_pressure()},
+       {residual, length, parameters.maximum_iterations},
+       grid_pressure.data(),
+       grid_gap.data()});
   }
 
   ContactState

@@ -52,27 +52,28 @@ namespace strait
 
   namespace
   {
-    /** What flowed before and is loaded as much again is at the hardness but for the
-     *  solver's tolerance, and some points are on either side of it. */
+    /** Whether the @p pressure counts as at the hardness. Points that yielded and are
+     *  loaded as much again lie on either side of it within the solver's tolerance. */
     bool
     flows(const double pressure, const double hardness)
     {
-      // Half or double of it changes the area under a first load by 0.05 % of itself.
+      // Half or double of it changes the yielding area under a first load by 0.05 %.
       constexpr double almost = 1e-3;
       return pressure > (1. - almost) * hardness;
     }
 
     /**
-     * The length of the contact line on the lattice times the spacing of the points, over
-     * the area of the box, S a: by the pairs of neighbours of which one touches. Where
-     * the pressure ends at @p limit the lattice does not count too much. Collective.
+     * Return S a, the length of the contact line on the lattice times the spacing of the
+     * points over the nominal area, from the pairs of neighbours of which one touches.
+     * Edges where the pressure is at @p limit are left out: there the lattice does not
+     * overestimate the area. Collective.
      */
     double
     line_times_spacing(const SlabField &pressure, const double limit)
     {
       const SlabLayout &layout = pressure.layout();
       const double      aspect = layout.grid().dy() / layout.grid().dx();
-      double            total  = 0; // in areas of a grid point
+      double            total  = 0; // in units of a grid point's area
       const RowsAround  rows(pressure);
       layout.for_each_point([&](const GridPoint &here) {
         if (here.window >= 0 && layout.rank() != 0) // all ranks hold the windows
@@ -83,7 +84,7 @@ namespace strait
                                        GridPoint{here.ix, here.iy + 1, here.window}})
           {
             const double p_there = rows.at(there);
-            // Of two points that finer ones cover nothing is known here.
+            // Between two points that finer ones cover, the finer ones decide.
             if (!std::isnan(p_there) && (p_here > 0) != (p_there > 0) &&
                 !flows(std::max(p_here, p_there), limit) &&
                 !(layout.finer(here) && layout.finer(there)))

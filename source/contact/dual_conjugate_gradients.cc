@@ -23,14 +23,14 @@ namespace strait
   {
     for (const SlabLayout::Range &range : problem.ranges)
       for (std::size_t i = range.begin; i < range.end; ++i)
-        in_contact[i] = pressure[i] != 0;
+        active[i] = pressure[i] != 0;
 
     ContactSolution solution;
     double          least_residual = std::numeric_limits<double>::infinity();
     find_gap();
     while (true)
       {
-        solution.residual = survey(); // C and y
+        solution.residual = choose_active_set(); // C and y
         const bool small  = solution.residual <= tolerance.residual;
         const bool late   = solution.iterations >= tolerance.max_iterations;
         if (!any_beyond && (small || late || !std::isfinite(energy)))
@@ -45,11 +45,11 @@ namespace strait
           }
 
         const double slope    = choose_direction();
-        bool         followed = true; // a direction, by more than truncation
+        bool         followed = true; // whether the step goes along a direction
         if (any_beyond)
           {
-            // Truncation alone where more has not helped or the pressure has two limits:
-            // where many points neither bear nor part it may lead round in circles.
+            // Only truncate where a step as well has not helped, or the pressure has an
+            // upper limit: with many points of hardly any gap or pressure it may cycle.
             followed = !late && !cautious && !constraint.is_limited() &&
                        solution.residual < least_residual;
             step_within_limits(followed ? last_length : 0.);
@@ -57,7 +57,7 @@ namespace strait
           }
         else if (!step(slope))
           {
-            // Nothing is left to improve if that was the exact gap: one point, say.
+            // If that was the exact gap, nothing can be improved, as with a single point.
             const bool is_solved = gap_is_exact;
             find_gap();
             if (is_solved)
@@ -72,16 +72,17 @@ namespace strait
     return solution;
   }
 
-  /** p within its limits with the prescribed mean, and g = G p + u0 − h in all digits. */
+  /** Bring p within its limits, with the prescribed mean, and compute g = G p + u0 − h in
+   *  double precision. */
   void
   DualConjugateGradients::find_gap()
   {
     double            *p = pressure, *g = gap;
     const double      *h     = problem.heights;
-    const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
+    const WithinLimits limit = within_limits(problem, constraint, active, p);
     const auto [mean, p_h]   = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
-      p[i]          = limit(p[i], in_contact[i] != 0);
-      in_contact[i] = p[i] != 0;
+      p[i]      = limit(p[i], active[i] != 0);
+      active[i] = p[i] != 0;
       sums[0] += p[i];
       sums[1] += p[i] * h[i];
     });
@@ -120,29 +121,29 @@ namespace strait
     lowest_energy = std::min(lowest_energy, energy);
   }
 
-  // The loops here run over all points and are bound by the memory: they touch p, t and z
-  // only in contact. They work on local copies of members because, for all the compiler
-  // knows, a write to a field might change a member.
+  // These loops run over all points and are memory-bound: they touch p, t and z only in
+  // contact. They work on local copies of members because, for all the compiler knows, a
+  // write to a field might change a member.
 
   /**
-   * Choose C: the points between the limits of the pressure or beyond and, unless the
-   * pressure was just truncated, those that penetrate without pressure or part under the
-   * largest. Leave y, the gap on C and 0 elsewhere, in the scratch room. Return the
-   * residual, the largest gap that should be none.
+   * Choose C: the points whose pressure is between its limits or beyond and, unless the
+   * pressure was just truncated, those that penetrate at zero pressure or open at the
+   * upper limit. Write the gap y on C, and 0 elsewhere, to the scratch memory. Return the
+   * residual, the largest violation of the conditions on the gap.
    */
   double
-  DualConjugateGradients::survey()
+  DualConjugateGradients::choose_active_set()
   {
     const float  *y     = gap_in_units.data();
     const Place  *place = places.data();
     float        *z     = problem.scratch();
-    std::uint8_t *c     = in_contact.data();
+    std::uint8_t *c     = active.data();
     const auto    s     = static_cast<float>(shift);
     const bool    grows = !truncated;
     float         worst = 0;
     for (const SlabLayout::Range &range : problem.ranges)
       {
-        // Without a branch, and the largest in any order: four points at a time.
+        // No branches, and a maximum in any order, so that four points go at a time.
 #pragma omp simd reduction(max : worst)
         for (std::size_t i = range.begin; i < range.end; ++i)
           {
@@ -160,18 +161,19 @@ namespace strait
   }
 
   /**
-   * Precondition y, which leaves z = M y in the scratch room, and make the direction
-   * t = z + beta t on C conjugate to the last one and admissible. Return <y, t> > 0.
+   * Compute z = M y in the scratch memory, and choose beta and the means such that the
+   * direction t = z + beta t on C is conjugate to the last one and admissible. Return
+   * <y, t> > 0.
    */
   double
   DualConjugateGradients::choose_direction()
   {
-    // What follows is conjugate to no step that led to another gap.
+    // A recomputed gap starts a new sequence of conjugate directions.
     if (gap_is_exact)
       std::fill_n(direction, 2 * problem.size, 0.f);
     const float *y = gap_in_units.data(), *t = direction, *r = response;
     float       *z = problem.scratch();
-    const auto  *c = in_contact.data();
+    const auto  *c = active.data();
     const auto   s = static_cast<float>(shift);
     problem.precondition(z, c);
     const auto [area, sum_z, sum_t, sum_y, sum_r, z_r, t_r, y_z, y_t] =
@@ -195,7 +197,7 @@ namespace strait
     beta            = 0;
     if (!(gradient > 0))
       {
-        // M is not positive on this C: do without it.
+        // M is not positive on this C: use z = y.
         const auto [y_y] = weighted_sums<1>(problem, [=](const auto i, auto &sums) {
           z[i] = c[i] ? y[i] - s : 0.f;
           sums[0] += static_cast<double>(z[i]) * z[i];
@@ -212,13 +214,13 @@ namespace strait
     return gradient;
   }
 
-  /** The next direction, point by point. */
+  /** Return the next direction as a function of the point. */
   auto
   DualConjugateGradients::next_direction() const
   {
     return [z  = problem.scratch(),
             t  = direction,
-            c  = in_contact.data(),
+            c  = active.data(),
             z0 = static_cast<float>(mean_z),
             b  = static_cast<float>(beta),
             t0 = static_cast<float>(mean_t)](const std::size_t i) {
@@ -226,7 +228,8 @@ namespace strait
     };
   }
 
-  /** Form t and go to the minimum along it. Return whether there is one. */
+  /** Form t and go to the minimum along it, also beyond the limits. Return whether there
+   *  is one. */
   bool
   DualConjugateGradients::step(const double slope)
   {
@@ -238,7 +241,7 @@ namespace strait
     const bool   is_convex = curvature > 0;
     const double length    = is_convex ? slope / curvature : 0.;
     double      *p         = pressure;
-    const auto  *c         = in_contact.data();
+    const auto  *c         = active.data();
     const double far       = tolerance.unit * length;
     const auto   s = static_cast<float>(shift), l = static_cast<float>(length);
     move([=](const std::size_t i) {
@@ -256,21 +259,21 @@ namespace strait
   }
 
   /**
-   * Bring the pressure within its limits and, on the way, go along the direction: one
-   * step for the price of one response. A minimum is not sought, as truncation is not
-   * straight: of @p length, that of the last step or 0, one half is gone. (All of it
-   * takes a tenth to a sixth more responses at 2048² points and as many at 1024², a
-   * quarter a tenth more at both.) Direction and response of before remain, for what
-   * follows is to be conjugate to them.
+   * Bring the pressure within its limits and, in the same step, go along the direction:
+   * both for the price of one response. No minimum is sought, as truncation is not
+   * linear: the step is half of @p length, which is that of the last step, or 0 to
+   * truncate only. (The whole of it takes a tenth to a sixth more responses at 2048²
+   * points and as many at 1024², a quarter of it a tenth more at both.) The old direction
+   * and its response are kept, because the next direction is to be conjugate to them.
    */
   void
   DualConjugateGradients::step_within_limits(const double length)
   {
     double       *p     = pressure;
     float        *y     = gap_in_units.data();
-    std::uint8_t *c     = in_contact.data();
+    std::uint8_t *c     = active.data();
     Place        *place = places.data();
-    float        *d     = problem.scratch(); // z, the direction, the step, its response
+    float        *d     = problem.scratch(); // z, then direction, step, its response
     const double  far = .5 * tolerance.unit * length, unit = 1. / tolerance.unit;
     const auto    next = next_direction();
     for (std::size_t i = 0, n = problem.size; i < n; ++i)
@@ -279,16 +282,16 @@ namespace strait
         if (c[i])
           p[i] -= far * d[i];
       }
-    const WithinLimits limit = within_limits(problem, constraint, in_contact, p);
+    const WithinLimits limit = within_limits(problem, constraint, active, p);
     const auto         s     = static_cast<float>(shift);
     const auto [slope]       = weighted_sums<1>(problem, [=](const auto i, auto &sums) {
-      if (!limit.all_move && !c[i])
+      if (!limit.shifts_all && !c[i])
         return;
       const double before = p[i] + far * d[i];
       p[i]                = limit(p[i], c[i] != 0);
       d[i]                = static_cast<float>(unit * (before - p[i]));
       c[i]                = p[i] != 0;
-      place[i]            = Place::none; // until move() finds what is in contact
+      place[i]            = Place::none; // move() sets that of points in contact
       sums[0] += static_cast<double>(y[i] - s) * d[i];
     });
     const double d_r         = problem.respond(d, d);
@@ -298,16 +301,15 @@ namespace strait
     energy -= (tolerance.unit * tolerance.unit) * (slope - .5 * d_r);
   }
 
-  /** Do move_point(i) everywhere. Note whether any pressure is beyond its limits then,
-   * and what the gap is off by: its mean on the points between the limits, all of which
-   * are marked. */
+  /** Call move_point(i) for all points. Then set any_beyond and, from the mean of y on
+   *  the points between the limits, all of which are in C, shift. */
   template <class MovePoint>
   void
   DualConjugateGradients::move(const MovePoint &move_point)
   {
     const double *p     = pressure;
     const float  *y     = gap_in_units.data();
-    const auto   *c     = in_contact.data();
+    const auto   *c     = active.data();
     Place        *place = places.data();
     const double  limit = constraint.limit;
     const auto [beyond, sum_y, area] =
@@ -325,7 +327,8 @@ namespace strait
     shift      = constraint.excess(sum_y, area);
     if (area > 0 || !constraint.is_limited())
       return;
-    // Every pressure is at a limit: between the gaps that let points leave either.
+    // Every pressure is at a limit. Take the middle between the smallest gap at pressure
+    // 0 and the largest at the upper limit.
     double least_open   = std::numeric_limits<double>::infinity();
     double most_pressed = -least_open;
     for (const SlabLayout::Range &range : problem.ranges)

@@ -9,23 +9,24 @@ namespace strait
 {
   namespace
   {
-    /** Where the attraction wins, the elastic curvature alone is too cautious. Double of
-     *  it leaves a saddle sooner, and is shortened more often; a third of it, the elastic
-     *  step, takes two fifths more FFT pairs where the range of the adhesion is hardly
-     *  resolved (a random surface of 256² at a Tabor number of 2). */
+    /** Step at negative total curvature, over the step that the elastic curvature alone
+     *  suggests, which is too cautious. Double of it leaves a saddle sooner but is
+     *  shortened more often; a third of it, the elastic step, takes two fifths more FFT
+     *  pairs where the range of the adhesion is hardly resolved (random surface, 256²,
+     *  Tabor number 2). */
     constexpr double boldness = 3;
 
-    /** What a step is shortened by if the energy does not fall along it, at one FFT pair
-     *  if it must be formed anew. A step that closes points is shortened only if the line
-     *  asks for at least as much: a whole step keeps what it closes, a shorter one opens
-     *  it again. By no more the reach of steps that close points changes at once; it has
-     *  no least value, for with one a single point that each step closes and opens again
-     *  would keep the others from moving. Half of it wastes less on attempts and goes
-     *  less far, and the reach is misled by a single step; double of it opens points
-     *  again in most steps, and the reach never learns. */
+    /** Factor by which a step is shortened if the energy does not fall along it; forming
+     *  the step anew costs one FFT pair. A step that closes points is taken whole unless
+     *  its minimum lies closer than this fraction: a whole step keeps the points closed,
+     *  a shorter one opens them again. One step changes the reach by at most this factor.
+     *  The reach has no lower bound: with one, a single point that closes and opens in
+     *  turns could keep the others from moving. Half of it wastes less on attempts but
+     *  goes less far, and a single step can mislead the reach; double of it opens points
+     *  again in most steps, and the reach never adapts. */
     constexpr double shorter = .4;
 
-    /** Attempts end where a step is all but nothing. */
+    /** Fraction of the first attempt at which attempts end. */
     constexpr double shortest = std::numeric_limits<double>::epsilon();
   } // namespace
 
@@ -44,7 +45,7 @@ namespace strait
         trial = derivative;
         precondition(trial.data());
         const bool falls = go(choose_direction());
-        if (falls || restarts) // or rounding is all that is left
+        if (falls || restarts) // after a restart only rounding is left
           {
             restarts = !falls;
             return falls;
@@ -53,7 +54,7 @@ namespace strait
       }
   }
 
-  /** t = −z + β d on the free points. Return how far to go. */
+  /** Compute t = −z + β d on the free points. Return the predicted step length. */
   double
   GapConjugateGradients::choose_direction()
   {
@@ -76,8 +77,8 @@ namespace strait
       });
     const double d_curvature = d_q + d_local;
     double       beta        = 0;
-    // Hestenes and Stiefel's beta or, where the energy curves down along d and d is
-    // worth keeping all the more, Polak and Ribière's; not where all is rounding.
+    // Hestenes and Stiefel's beta or, where the energy has negative curvature along d and
+    // d is the more worth keeping, Polak and Ribière's unless the last fall was rounding.
     if (!restarts && d_curvature > 0)
       beta = std::max(0., (z_q + z_local) / d_curvature);
     else if (!restarts && last_fall > energy_noise * std::abs(energy()))
@@ -92,20 +93,20 @@ namespace strait
     const double slope = -z_r + beta * d_r;
     free_work          = z_r;
     fixed_work         = beta * (beta * d_q - 2 * z_q);
-    // Not less than a tenth of that of the free points, or the step would be wild.
-    const double foretold = std::max(stiffness * free_work + fixed_work, .1 * free_work);
-    const double whole    = foretold + local;
-    return -reach * slope / (whole > 0 ? whole : foretold);
+    // At least a tenth of free_work, or the step could become far too long.
+    const double predicted = std::max(stiffness * free_work + fixed_work, .1 * free_work);
+    const double whole     = predicted + local;
+    return -reach * slope / (whole > 0 ? whole : predicted);
   }
 
-  /** Follow the projected direction as far as the energy falls well. Return whether
+  /** Go along the projected direction until the energy falls sufficiently. Return whether
    *  it did. */
   bool
   GapConjugateGradients::go(const double length)
   {
     for (double part = 1; part > shortest; part *= shorter)
       {
-        // Too many points close at once: a shorter arc has fewer of them.
+        // Too many points close at once; a shorter step closes fewer.
         const double work = form_step(part * length);
         if (search_line(work))
           return true;
@@ -115,7 +116,7 @@ namespace strait
     return false;
   }
 
-  /** d = max(g + s t, 0) − g and K d. Return <d, Kd>. */
+  /** Compute d = max(g + s t, 0) − g, where s is @p length, and K d. Return <d, Kd>. */
   double
   GapConjugateGradients::form_step(const double length)
   {
@@ -136,14 +137,14 @@ namespace strait
       {
         const double fraction =
           (work / (length * length) - fixed_work) / free_work; // <z, Kz>/<z, r>
-        // A step that closes many points says little of the stiffness of the others.
+        // A step that closes many points says little about the stiffness of the others.
         stiffness = std::clamp(fraction, .2, 3.);
       }
     return work;
   }
 
-  /** Go along d as far as the energy falls well. Return whether it did; if not, the
-   *  gap is as it was. */
+  /** Go along d until the energy falls sufficiently. Return whether it did; if not, the
+   *  gap is as before. */
   bool
   GapConjugateGradients::search_line(const double work)
   {
@@ -174,8 +175,8 @@ namespace strait
           {
             step_length = length;
             last_fall   = -length * d_r;
-            // The length that was foretold was wrong by the factor `ideal`; where nothing
-            // closes, the step went as far as was ideal.
+            // The predicted length was wrong by the factor `ideal`; where no point
+            // closes, the step had the ideal length.
             const double change =
               std::clamp(is_convex ? ideal : INFINITY, shorter, 1 / shorter);
             reach = truncated ? reach * change : 1.;

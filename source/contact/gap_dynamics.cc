@@ -8,11 +8,11 @@ namespace strait
 {
   namespace
   {
-    // Of time steps, in units in which a mode's period is 2π. An explicit step of 2 or
-    // more is unstable, so that double of it diverges; half of it takes twice the steps.
+    // In units in which the period of a mode is 2π. An explicit step of 2 or more is
+    // unstable, so that double of this diverges; half of it takes twice as many steps.
     constexpr double longest_time_step = 1.2;
 
-    // Those of FIRE's authors (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006).
+    // The values of FIRE's authors (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006).
     constexpr double first_mixing = .1, mixing_decay = .99;
     constexpr double speed_up = 1.1, slow_down = .5;
     constexpr int    steps_until_faster = 5;
@@ -30,7 +30,7 @@ namespace strait
   bool
   GapDynamics::descend(double)
   {
-    // Forces over masses; a point that the wall holds stays where it is.
+    // Force over mass, 0 for a point that the wall holds.
     acceleration = derivative;
     precondition(acceleration.data());
     for (double &a : acceleration)

@@ -14,7 +14,7 @@ namespace strait
     return search();
   }
 
-  /** An approximate minimiser of the quadratic model on the free points. */
+  /** Find an approximate minimiser of the quadratic model on the free points: step. */
   void
   GapNewton::solve_model(const double residual)
   {
@@ -46,7 +46,7 @@ namespace strait
           sums[0] += d * curvature[i] * d;
         });
         const bool is_concave = work + local <= 1e-10 * work;
-        // Down the slope of the energy, as far as the search along it will say.
+        // At negative curvature go downhill; search() finds how far.
         const double length = is_concave ? 1. : now / (work + local);
         if (is_concave && k > 0)
           return;

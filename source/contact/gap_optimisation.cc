@@ -27,7 +27,7 @@ namespace strait
     });
     if (!constraint.fixes_mean_gap)
       return;
-    // A factor keeps closed points closed.
+    // Scaling keeps closed points closed.
     const double factor = sum > 0 ? constraint.value / sum : 0.;
     for (std::size_t i = 0; i < problem.size; ++i)
       values[i] = sum > 0 ? values[i] * factor : constraint.value;
@@ -76,8 +76,8 @@ namespace strait
                      const double  work,
                      const double  length)
   {
-    // What rounding leaves of a point that a step closes: it would count as free, and no
-    // step that closes it again would be downhill for the others.
+    // A point that a step closes may keep this fraction of the step by rounding. It would
+    // count as free, and no step that closes it again would be downhill for the others.
     constexpr double rest = 1e-14;
     double          *g = gap, *e = elastic.data();
     const auto [along_e, along] =
@@ -94,7 +94,7 @@ namespace strait
     evaluate();
   }
 
-  /** All that follows from the gap and K w. */
+  /** Compute all that follows from the gap and K w. Collective. */
   void
   GapOptimiser::evaluate()
   {
@@ -108,7 +108,7 @@ namespace strait
                     problem.adhesion.evaluate(n, g + begin, r + begin, &curvature[begin]);
       }
     adhesive_energy = sum(problem.communicator, adhesive);
-    // Of open points, the force and how many they are.
+    // The force on the open points, and their number.
     const auto [open_force, open_area] =
       weighted_sums<2>(problem, [=, &least](const auto i, auto &sums) {
         r[i] += e[i];
@@ -130,7 +130,8 @@ namespace strait
     smallest_gap      = minimum(problem.communicator, least);
   }
 
-  /** No contact, and the load pulls at least twice as strongly as any point. */
+  /** Whether no point touches and the load pulls more than twice as strongly as the
+   *  adhesion at any point. */
   bool
   GapOptimiser::is_detached() const
   {
@@ -148,7 +149,7 @@ namespace strait
     GapSolution solution;
     double      least_residual = std::numeric_limits<double>::infinity();
     double      least_energy   = least_residual;
-    int         last_gain      = 0; // when the residual or the energy reached a new low
+    int         last_gain      = 0; // iteration of the last new low of residual or energy
     while (true)
       {
         solution.residual  = largest_violation / tolerance.unit;

@@ -8,30 +8,31 @@ namespace strait
 {
   namespace
   {
-    /** Last relative change of the quotient. The check takes 4 to 6 pairs; half of it
-     *  costs more of them in each load and finds shallower ways down, double of it fewer
-     *  and misses these. */
+    /** Relative change of the quotient below which an iteration counts as settled. The
+     *  check takes 4 to 6 FFT pairs. Half of it costs more at each load and finds
+     *  shallower directions downhill; double of it costs fewer and misses them. */
     constexpr double settled = .03;
 
-    /** What stands over and under a quotient. */
+    /** Scalar products in the numerator and the denominator of the quotient. */
     struct Products
     {
-      double over, under;
+      double numerator, denominator;
     };
 
-    /** The s at which the quotient at v + s d is least: where s² a + s b + c = 0, with a
-     *  plus before the root. */
+    /** Return the s at which the quotient of v + s d is smallest: of the two roots of a
+     *  s² + b s + c = 0 the one with a plus before the square root. */
     double
     lowest_on_line(const Products &vv, const Products &vd, const Products &dd)
     {
-      const double a = dd.over * vd.under - vd.over * dd.under,
-                   b = dd.over * vv.under - vv.over * dd.under,
-                   c = vd.over * vv.under - vv.over * vd.under;
+      const double a = dd.numerator * vd.denominator - vd.numerator * dd.denominator,
+                   b = dd.numerator * vv.denominator - vv.numerator * dd.denominator,
+                   c = vd.numerator * vv.denominator - vv.numerator * vd.denominator;
       return -2 * c / (b + std::sqrt(std::max(0., b * b - 4 * a * c)));
     }
 
-    /** Let @p d go down the @p gradient after precondition(), conjugate to the last d;
-     *  @p fall is that of the quotient without what is conjugate, at first 0. */
+    /** Set @p d to the preconditioned descent direction for @p gradient, conjugate to the
+     *  last d. @p fall is <gradient, z> of the last call, at first 0, and of this one on
+     *  return, with z the preconditioned gradient. */
     template <class Precondition>
     void
     descend_direction(const ContactProblem      &problem,
@@ -67,7 +68,7 @@ namespace strait
     const auto precondition_open = [&](std::vector<double> &values) {
       mask(values);
       problem.precondition(values.data(), held.data());
-      mask(values); // so that it stays among the admissible fields
+      mask(values); // stay among the admissible fields
     };
     const auto products = [&](const auto &x, const auto &k_x, const auto &y) {
       const auto [elastic_part, local, mean_x, mean_y] =
@@ -93,22 +94,22 @@ namespace strait
     std::vector<double> k_v = field(), d = field(), k_d = field(); // K v, d, K d
     problem.apply(v.data(), k_v.data());
     Products vv = products(v, k_v, v);
-    if (!(vv.under > 0)) // no point is free
+    if (!(vv.denominator > 0)) // no point is free
       {
         problem.fill_with_noise(v.data());
         return 1;
       }
-    double quotient = vv.over / vv.under, fall = 0;
+    double quotient = vv.numerator / vv.denominator, fall = 0;
     for (int n_settled = 0; n_settled < 2;)
       {
         const auto [mean] =
           weighted_sums<1>(problem, [&](const auto i, auto &sums) { sums[0] += v[i]; });
         const double uniform  = problem.mean_stiffness() * mean;
-        auto        &gradient = k_d; // in its room until K d is known
+        auto        &gradient = k_d; // uses its memory until K d is computed
         for (std::size_t i = 0; i < problem.size; ++i)
           gradient[i] =
             ((1 - quotient) * k_v[i] + curvature[i] * v[i] - quotient * uniform) /
-            vv.under;
+            vv.denominator;
         descend_direction(problem, gradient, precondition_open, d, fall);
         problem.apply(d.data(), k_d.data());
         const Products dd = products(d, k_d, d), vd = products(v, k_v, d);
@@ -120,9 +121,9 @@ namespace strait
             v[i] += s * d[i];
             k_v[i] += s * k_d[i];
           }
-        vv                  = {vv.over + s * (2 * vd.over + s * dd.over),
-                               vv.under + s * (2 * vd.under + s * dd.under)};
-        const double before = std::exchange(quotient, vv.over / vv.under);
+        vv                  = {vv.numerator + s * (2 * vd.numerator + s * dd.numerator),
+                               vv.denominator + s * (2 * vd.denominator + s * dd.denominator)};
+        const double before = std::exchange(quotient, vv.numerator / vv.denominator);
         n_settled = before - quotient > settled * std::abs(quotient) ? 0 : n_settled + 1;
       }
     return quotient;

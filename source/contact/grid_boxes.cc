@@ -8,7 +8,7 @@ namespace strait
 {
   namespace
   {
-    /** The rows of boxes around the local points of @p points that other ranks have. */
+    /** The rows of boxes of other ranks in or next to the local rows of @p points. */
     std::vector<int>
     rows_beyond(const SlabLayout &points, const SlabLayout &boxes)
     {

@@ -10,8 +10,8 @@ namespace strait
 {
   namespace
   {
-    /** Find @p pressure in its window @p w from that at the points of the parent:
-     *  interpolated, and 0 where the nearest of them does not touch. Collective. */
+    /** Fill window @p w of @p pressure from the parent: interpolated, and 0 where the
+     *  nearest point of the parent does not touch. Collective. */
     void
     fill_from_parent(SlabField &pressure, const int w)
     {
@@ -31,7 +31,8 @@ namespace strait
           }
     }
 
-    /** The window of @p layout where window @p w of @p other is, or −1. */
+    /** Return the number of the window of @p layout that is the same as window @p w of
+     *  @p other, or −1. */
     int
     find_window(const SlabLayout &layout, const SlabLayout &other, const int w)
     {
@@ -47,8 +48,9 @@ namespace strait
       return -1;
     }
 
-    /** @p field with @p windows in place of its own: those that are known are kept, the
-     *  others filled by @p fill(result, window) from their parents. Collective. */
+    /** Return @p field with @p windows in place of its own. Windows that it has already
+     *  are kept, the others filled by @p fill(result, window) from their parents.
+     *  Collective. */
     template <class Fill>
     SlabField
     with_new_windows(const SlabField        &field,
@@ -101,7 +103,7 @@ namespace strait
     const int n = coarse.grid().nx, n_rows = fine_layout->n_rows();
     const int first = fine_layout->first_row() / 2;
 
-    // All coarse rows that the local rows lie on or between.
+    // All coarse rows on which or between which the local rows lie.
     std::vector<int> wanted;
     if (n_rows > 0)
       wanted.resize((fine_layout->first_row() + n_rows) / 2 - first + 1);
@@ -152,10 +154,10 @@ namespace strait
     const ZoomWindow            &window = field.layout().windows()[w];
     const WindowTransfer<double> transfer(window);
     const std::vector<double> patch = transfer.patch_of(field.layout(), w, field.data());
-    // Of a column or row of the window, where that before it is on the patch, and how far
-    // behind that it is itself.
+    // For a column or row of the window: the last one of the patch at or before it, and
+    // the distance from there in spacings of the parent.
     const auto place = [](const int fine) {
-      constexpr int shift = 3 * ZoomWindow::margin - 1; // above 0 for all of them
+      constexpr int shift = 3 * ZoomWindow::margin - 1; // so that the sum is above 0
       return std::pair((fine + shift) / 3, (fine + shift) % 3 / 3.);
     };
     std::vector<double> around;

@@ -8,7 +8,7 @@ namespace strait
 {
   namespace
   {
-    /** Multiply waves; returns the mean of in·out. Collective. */
+    /** Multiply waves by @p symbol. Return the mean of in·out. Collective. */
     template <class Number, class Symbol>
     double
     multiply(BasicFourierTransform<Number> &transform,
@@ -37,7 +37,7 @@ namespace strait
     : DualProblem(points_of(heights))
     , modulus(contact_modulus)
     , transform(heights.layout_pointer())
-    , of_steps(heights.layout_pointer())
+    , single_precision(heights.layout_pointer())
     , extension(heights.layout_pointer())
     , stiffness(TwoScaleOperator::stiffness(heights.layout_pointer(),
                                             extension.finest().layout,
@@ -62,10 +62,10 @@ namespace strait
   double
   HalfSpaceProblem::respond(const float *step, float *response)
   {
-    return multiply(of_steps,
+    return multiply(single_precision,
                     step,
                     response,
-                    wave_compliance<float>(of_steps.layout().grid(), modulus));
+                    wave_compliance<float>(single_precision.layout().grid(), modulus));
   }
 
   void

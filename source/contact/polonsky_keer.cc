@@ -9,11 +9,11 @@ namespace strait
   namespace
   {
     /**
-     * The textbook method, for reference: conjugate gradients on the pressure
-     * that truncate negative pressures in every step (Polonsky, Keer, Wear 231,
-     * 1999). Same problem, residual and result as DualConjugateGradients, at the
-     * price of two applications of G for each step that changes the contact. Needs 16 B
-     * a local point beside the two fields.
+     * The textbook method, for reference: conjugate gradients on the pressure that
+     * truncate negative pressures in every step (Polonsky, Keer, Wear 231, 1999).
+     * Problem, residual and result are those of DualConjugateGradients, without an upper
+     * limit. Each step that changes the contact costs two applications of G. Needs 16 B
+     * per local point in addition to the two fields.
      */
     ContactSolution
     polonsky_keer(const DualTask &task)
@@ -24,9 +24,9 @@ namespace strait
       const double             u0         = constraint.displacement();
       double *const p = task.pressure, *const g = task.gap;
       std::vector<double> t(problem.size), r(problem.size); // direction, G t
-      bool                restarts = true; // points were added to the contact
+      bool                restarts = true; // because points were added to the contact
 
-      // Follow the direction; false if it leads nowhere.
+      // Follow the direction. Returns false if there is no minimum along it.
       const auto step = [&]() {
         problem.apply(t.data(), r.data());
         const auto [g_t, r_t, sum_r, sum_t, area] =
@@ -60,8 +60,8 @@ namespace strait
         const bool   same_contact = truncated == 0 && added == 0;
         if (!same_contact)
           problem.apply(p, g);
-        // A step within one contact set is linear: no second application is needed.
-        // (Any constant in g drops out when it is centred, or is kept by factor = 1.)
+        // A step within one contact set is linear: no second application is needed. (A
+        // constant in g drops out when g is centred; if not centred, factor is 1.)
         for (std::size_t i = 0; i < problem.size; ++i)
           {
             p[i] *= factor;
@@ -83,7 +83,7 @@ namespace strait
       double          last_squared = 0; // <g, g> under pressure, one step before
       for (;; ++solution.iterations)
         {
-          // Give the gap its rigid displacement.
+          // Add the rigid displacement to the gap.
           const auto [sum_g, area] =
             weighted_sums<2>(problem, [&](const auto i, auto &sums) {
               sums[0] += p[i] > 0 ? g[i] : 0.;

@@ -18,14 +18,14 @@ namespace strait
       levels.push_back(std::make_unique<GridBoxes>(levels.back()->layout));
   }
 
-  template <class Has>
+  template <class Weights>
   void
-  PyramidExtension::gather(const float *values, const Has *has)
+  PyramidExtension::gather(const float *values, const Weights *weights)
   {
     finest().values.clear();
     for (const auto &boxes : levels)
       boxes->sums.clear();
-    pass_points(values, has, &GridBoxes::add_row<Has>);
+    pass_points(values, weights, &GridBoxes::add_row<Weights>);
     climb(&GridBoxes::add_row<float>, [](GridBoxes &boxes) {
       boxes.values.send();
       boxes.sums.send();
@@ -34,21 +34,21 @@ namespace strait
     finest().values.clear_others();
   }
 
-  template <class Has>
+  template <class Weights>
   void
-  PyramidExtension::spread(float *values, const Has *has)
+  PyramidExtension::spread(float *values, const Weights *weights)
   {
     descend([](GridBoxes &boxes) { boxes.values.fetch(); },
             &GridBoxes::interpolate<float>);
-    pass_points(values, has, &GridBoxes::interpolate<Has>);
+    pass_points(values, weights, &GridBoxes::interpolate<Weights>);
     finest().values.clear_others();
   }
 
-  template <class Has>
+  template <class Weights>
   void
-  PyramidExtension::extend_adjoint(float *values, const Has *has)
+  PyramidExtension::extend_adjoint(float *values, const Weights *weights)
   {
-    pass_points(values, has, &GridBoxes::interpolate_adjoint<Has>);
+    pass_points(values, weights, &GridBoxes::interpolate_adjoint<Weights>);
     climb(&GridBoxes::interpolate_adjoint<float>,
           [](GridBoxes &boxes) { boxes.values.send(); });
     descend(
@@ -57,11 +57,11 @@ namespace strait
         boxes.values.fetch();
       },
       &GridBoxes::add_boxes<float>);
-    pass_points(values, has, &GridBoxes::add_boxes<Has>);
+    pass_points(values, weights, &GridBoxes::add_boxes<Weights>);
   }
 
-  /** Let each level take what the finer one's boxes have, by add(row, values, weights),
-   *  and then finish. */
+  /** From fine to coarse, let each level take the finer level's boxes by add(row, values,
+   *  weights), and then finish(). */
   template <class Add, class Finish>
   void
   PyramidExtension::climb(const Add &add, const Finish &finish)
@@ -77,8 +77,8 @@ namespace strait
       }
   }
 
-  /** Let each level prepare and then change the finer one's boxes, by give(row, values,
-   *  weights). */
+  /** From coarse to fine, let each level prepare() and then change the finer level's
+   *  boxes by give(row, values, weights). */
   template <class Prepare, class Give>
   void
   PyramidExtension::descend(const Prepare &prepare, const Give &give)
@@ -92,7 +92,7 @@ namespace strait
       }
   }
 
-  /** Hand the rows of the boxes of the level below level @p l to it. */
+  /** Hand the local rows of boxes of the next finer level to level @p l. */
   template <class Pass>
   void
   PyramidExtension::pass_rows(const std::size_t l, const Pass &pass)
@@ -104,13 +104,13 @@ namespace strait
   }
 
   /** Hand the local rows of the points to the finest level. */
-  template <class Numbers, class Has, class Pass>
+  template <class Numbers, class Weights, class Pass>
   void
-  PyramidExtension::pass_points(Numbers *values, const Has *has, const Pass &pass)
+  PyramidExtension::pass_points(Numbers *values, const Weights *weights, const Pass &pass)
   {
     const auto nx = static_cast<std::size_t>(layout->grid().nx);
     for (int row = 0; row < layout->n_rows(); ++row)
-      (finest().*pass)(row, values + row * nx, has + row * nx);
+      (finest().*pass)(row, values + row * nx, weights + row * nx);
   }
 
   template void PyramidExtension::gather(const float *, const std::uint8_t *);

@@ -36,7 +36,8 @@ namespace strait
                               const double         contact_modulus)
   {
     const auto of_wave = wave_stiffness(points->grid(), contact_modulus);
-    // The adjoint of a mean gives each of the four points of a box a quarter.
+    // The weight is 4 because the adjoint of the mean gives each point of a box a
+    // quarter.
     return {points, boxes, of_wave, std::min(of_wave(1, 0), of_wave(0, 1)), 0., 4.};
   }
 
@@ -46,10 +47,10 @@ namespace strait
                                const double         contact_modulus,
                                const double         uniform)
   {
-    // The stencil answers a uniform field as if it were a wave of 2π points: with twice
-    // of it the sum is up to 1.7 times the compliance, with half of it 0.75 times.
+    // The stencil treats a uniform field as a wave of 2π points: with twice this value
+    // the sum is up to 1.7 times the compliance, with half of it down to 0.75 times.
     const double spacing = std::sqrt(points->grid().dx() * points->grid().dy());
-    // The adjoint of the interpolation is a sum over the four points of a box.
+    // The weight is 1/4 because the adjoint of the interpolation sums over four points.
     return {points,
             boxes,
             wave_compliance<double>(points->grid(), contact_modulus),
@@ -91,7 +92,8 @@ namespace strait
     if (n_rows > 0)
       outside = {layout->first_row() - 1, layout->first_row() + n_rows};
     const std::vector<float> beyond = fetch_rows(*layout, values, nx, outside);
-    // The row above as it was, and then this one; beside it, with its periodic images.
+    // The original values of the row above, then of this one; and the part of the stencil
+    // beside the centre, with its periodic images.
     std::vector<float> above(beyond.begin(), beyond.begin() + (n_rows > 0 ? nx : 0)),
       mixed(nx + 2);
     const auto centre = static_cast<float>(stencil.centre),

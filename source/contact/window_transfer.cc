@@ -9,9 +9,10 @@ namespace strait
   namespace
   {
     /**
-     * Call visit(fine, coarse, weight) for the points of a line of @p n points with its
-     * rim that a point of the window's line depends on. Half of the window's points lie a
-     * third after one of the parent, and half before: mirror images.
+     * Call visit(fine, coarse, weight) for each point of a window's line and each point
+     * that it depends on, of the parent's line of @p n points and its rim. The middle one
+     * of three is a point of the parent; the others lie a third of the spacing before and
+     * after that, with mirrored weights.
      */
     template <class Weights, class Visit>
     void
@@ -105,7 +106,7 @@ namespace strait
       value /= 9;
   }
 
-  /** visit(position in the patch, position among the values of this rank). */
+  /** Call visit(position in the patch, position among the values of this rank). */
   template <class Number>
   template <class Visit>
   void

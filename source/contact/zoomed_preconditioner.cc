@@ -39,7 +39,7 @@ namespace strait
       take_means_adjoint(w, values);
   }
 
-  /** Replace the values, which are known at all points, by the sum of the levels'. */
+  /** Apply the stiffness, a sum over levels, to @p values, given at all points. */
   void
   ZoomedPreconditioner::stiffen(float *values, const WindowStiffness &window_stiffness)
   {
@@ -66,7 +66,7 @@ namespace strait
     for (int w = n_windows; w-- > 0;)
       add_deposit(w, values);
     for (int w = 0; w < n_windows; ++w)
-      give_to_nine(
+      add_to_children(
         w,
         values,
         [&](const std::size_t parent) { return values[parent]; },
@@ -75,7 +75,7 @@ namespace strait
       [&](const std::size_t parent, std::size_t) { values[parent] = 0; });
   }
 
-  /** Give the parent's points the weighted means and the weights of the window's. */
+  /** Give the parent's points the weighted means and sums of weights of the window's. */
   void
   ZoomedPreconditioner::take_means(const int window, float *values)
   {
@@ -95,7 +95,7 @@ namespace strait
   void
   ZoomedPreconditioner::take_means_adjoint(const int window, float *values)
   {
-    give_to_nine(
+    add_to_children(
       window,
       values,
       [&](const std::size_t parent) {
@@ -104,7 +104,7 @@ namespace strait
       [&](const std::size_t i) { return weight_at(i); });
   }
 
-  /** Give the window's points what their weights leave open. */
+  /** Fill up the window's values from the parent, as GridBoxes::interpolate() does. */
   void
   ZoomedPreconditioner::refine(const int window, float *values)
   {
@@ -128,7 +128,7 @@ namespace strait
     add_deposit(window, values);
   }
 
-  /** Write the parent's values at the window's points to its room. */
+  /** Interpolate the parent's values to the window's points, into the window's room. */
   void
   ZoomedPreconditioner::interpolate(const int window, const float *values)
   {
@@ -136,7 +136,7 @@ namespace strait
                                   room_of(window));
   }
 
-  /** The adjoint: add what stands in its room to the parent's values. */
+  /** The adjoint of interpolate(): add the window's room to the parent's values. */
   void
   ZoomedPreconditioner::add_deposit(const int window, float *values)
   {
@@ -144,14 +144,14 @@ namespace strait
     transfers[window].add_patch(*layout, window, patch, values);
   }
 
-  /** Add of_parent(position) to the values of the nine points that the parent's point at
-   *  this position is, times their weight(position). */
+  /** For each parent's point in the window, add of_parent(its position) to the nine
+   *  points of the window there, times the weight(position) of each. */
   template <class OfParent, class Weight>
   void
-  ZoomedPreconditioner::give_to_nine(const int       window,
-                                     float          *values,
-                                     const OfParent &of_parent,
-                                     const Weight   &weight)
+  ZoomedPreconditioner::add_to_children(const int       window,
+                                        float          *values,
+                                        const OfParent &of_parent,
+                                        const Weight   &weight)
   {
     const int nx = layout->windows()[window].nx, ny = layout->windows()[window].ny;
     patch.assign(static_cast<std::size_t>(nx) * ny, 0.f);
@@ -183,7 +183,8 @@ namespace strait
     return room.data() + (layout->start_of_window(window) - layout->n_local_points());
   }
 
-  /** visit(position) for the points of the window that are one of the parent. */
+  /** Call visit(position) for the nine points of the window at point (a, b) of the
+   *  parent, counted from the first one that the window covers. */
   template <class Visit>
   void
   ZoomedPreconditioner::for_each_of_nine(const int    window,

@@ -10,12 +10,12 @@ namespace strait
 {
   namespace
   {
-    /** Points of the parent around the window in its box. Half of it lets the images of
-     *  the box disturb the critical load by 2e-5, double of it costs a third more. */
+    /** Padding of a window in its box, in points of the parent. With half of it the
+     *  periodic images disturb the critical load by 2e-5; double of it costs a third
+     *  more. */
     constexpr int padding = 8;
 
-    /** The grid of a window's box at the spacing of the parent, or @p refined times
-     *  finer. */
+    /** The grid of a window's box, @p refined times finer than the parent. */
     PeriodicGrid
     box_grid(const SlabLayout &layout, const ZoomWindow &window, const int refined)
     {
@@ -25,12 +25,12 @@ namespace strait
     }
   } // namespace
 
-  /** A periodic box with an array in its middle. */
+  /** A periodic box around a rectangular array. */
   template <class Number>
   class WindowBox
   {
   public:
-    /** With @p rim_ points around the array. */
+    /** A box with a rim of @p rim_ points around the array. */
     WindowBox(const PeriodicGrid &grid, const int rim_)
       : transform(make_layout(grid, MPI_COMM_SELF))
       , rim(rim_)
@@ -38,7 +38,7 @@ namespace strait
     {
     }
 
-    /** Hold what the symbol symbol_of(grid) makes of @p array and zeros around it. */
+    /** Take @p array with zeros around it, multiplied by the symbol symbol_of(grid). */
     template <class SymbolOf>
     void
     take(const Number *array, const SymbolOf &symbol_of)
@@ -50,7 +50,7 @@ namespace strait
                          symbol_of(transform.layout().grid()));
     }
 
-    /** Call visit(k, value) with the values that are at the points k of the array. */
+    /** Call visit(k, value) for the points k of the array; it may change the value. */
     template <class Visit>
     void
     for_each(const Visit &visit)
@@ -128,8 +128,7 @@ namespace strait
     respond(values);
   }
 
-  /** What the pressures of all points make together, of which each is known where it is
-   *  not 0. */
+  /** Replace the pressures of grid and windows, which add up, by the displacements. */
   template <class Number>
   void
   ZoomedOperator<Number>::respond(Number *values)
@@ -159,8 +158,7 @@ namespace strait
       [values](const std::size_t parent, std::size_t) { values[parent] = 0; });
   }
 
-  /** Give each parent the mean of what its windows have; what it has itself at points
-   *  that they cover is 0. */
+  /** Add to each parent's pressures what deposit() makes of those of its windows. */
   template <class Number>
   void
   ZoomedOperator<Number>::gather_from_windows(Number *values)
@@ -174,7 +172,7 @@ namespace strait
       }
   }
 
-  /** Refine what the parents have found in their windows. */
+  /** Find the displacements in the windows from those on their parents. */
   template <class Number>
   void
   ZoomedOperator<Number>::spread_to_windows(Number *values)
@@ -203,7 +201,7 @@ namespace strait
   ZoomedProblem::ZoomedProblem(const SlabField &heights, const double contact_modulus)
     : DualProblem(points_of(heights))
     , exact(heights.layout_pointer(), contact_modulus)
-    , of_steps(heights.layout_pointer(), contact_modulus)
+    , single_precision(heights.layout_pointer(), contact_modulus)
     , preconditioner(heights.layout_pointer(), contact_modulus)
     , room(size)
     , pressed(size)
@@ -214,7 +212,7 @@ namespace strait
   ZoomedProblem::apply(const double *pressure, double *displacement)
   {
     // Either transform needs its buffer only while it is in use.
-    of_steps.release();
+    single_precision.release();
     const double work = act(exact, pressure, displacement);
     exact.release();
     return work;
@@ -231,9 +229,9 @@ namespace strait
   double
   ZoomedProblem::respond(const float *step, float *response)
   {
-    // The response may take the place of the step.
+    // The response may be the same array as the step.
     std::copy(step, step + size, pressed.begin());
-    return act(of_steps, pressed.data(), response);
+    return act(single_precision, pressed.data(), response);
   }
 
   template <class Number>
@@ -254,7 +252,7 @@ namespace strait
   ZoomedProblem::precondition(float *values, const std::uint8_t *marks)
   {
     preconditioner.apply(values, marks, [this](const int window, float *own) {
-      of_steps.stiffen(window, own);
+      single_precision.stiffen(window, own);
     });
   }
 } // namespace strait

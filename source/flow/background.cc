@@ -12,16 +12,16 @@ namespace strait
 
   namespace
   {
-    /** A difference of angles, in turns, between −½ and ½. */
+    /** Reduce a difference of angles, in turns, to between −½ and ½. */
     double
-    shorter_way(const double turns)
+    wrapped_turns(const double turns)
     {
       return turns - std::round(turns);
     }
   } // namespace
 
   void
-  PotentialProblem::find_angles()
+  PotentialProblem::find_multivalued_part()
   {
     const SealMesh                             &seal = *mesh.seal();
     std::map<types::global_dof_index, Point<2>> points;
@@ -43,7 +43,7 @@ namespace strait
         {
           double jump = 0.;
           for (const auto &[dof, weight] : *line)
-            jump += weight * shorter_way(angles(dof) - angles(k));
+            jump += weight * wrapped_turns(angles(dof) - angles(k));
           constraints.set_inhomogeneity(k, jump);
         }
   }
@@ -57,12 +57,11 @@ namespace strait
         dealii::Vector<double> turns(values.size());
         cell->get_dof_values(angles, turns);
         for (unsigned int i = 0; i < values.size(); ++i)
-          values[i] += shorter_way(turns(i) - turns(0));
+          values[i] += wrapped_turns(turns(i) - turns(0));
       }
     if (is_pressure() || mesh.seal() != nullptr)
       return;
-    // The corner of the cell is as good an origin as any other, and keeps the
-    // values of a small cell small.
+    // Any origin will do. The corner of the cell keeps the values of a small cell small.
     const auto [width, height] = mesh.edges(mesh.grid_cell(*cell));
     const unsigned int across  = 1 - mesh.axis_along();
     const double step   = across == 1 ? height / mesh.grid().ly : -width / mesh.grid().lx;

@@ -16,7 +16,7 @@ namespace strait
 
     using Points = dealii::RTree<dealii::Point<2>>;
 
-    /** Those of the first path of @p channel, if it has one, on @p mesh. */
+    /** Return the points of the first path of @p channel, if it has one, on @p mesh. */
     Points
     points_of_path(const Channel &channel, const FlowMesh &mesh)
     {
@@ -26,7 +26,7 @@ namespace strait
       const PeriodicGrid  &grid   = layout.grid();
       dealii::Tensor<1, 2> period;
       period[1 - mesh.axis_along()] = mesh.axis_along() == 0 ? grid.ly : grid.lx;
-      // In a window the path may be one period away from the box, and beside it two.
+      // Points of a window may lie one period outside the box, and then two from a cell.
       const int                     reach = mesh.seal() == nullptr ? 2 : 0;
       std::vector<dealii::Point<2>> on_mesh;
       for (const GridPoint &on_path : channel.paths.front().points)
@@ -38,12 +38,12 @@ namespace strait
       return dealii::pack_rtree(on_mesh);
     }
 
-    /** Whether one of @p points is on @p cell, or beside it by no more than its size. */
+    /** Whether one of @p points is on @p cell, or no further away than its size. */
     bool
     touches(const Points &points, const Cell &cell)
     {
-      // Steps of the path that are longer than the cell must leave no gap, nor may
-      // cells touch at a corner alone: the box counts with one more on each side.
+      // The box is enlarged by its size on each side: steps of the path that are longer
+      // than the cell must leave out no cells, nor may cells touch at a corner alone.
       const auto                   box    = cell.bounding_box();
       const auto                  &ends   = box.get_boundary_points();
       const dealii::Tensor<1, 2>   margin = ends.second - ends.first;
@@ -51,7 +51,7 @@ namespace strait
       return points.qbegin(boost::geometry::index::intersects(around)) != points.qend();
     }
 
-    /** The flow through @p cell on which both disagree. */
+    /** Return the flow through @p cell on which both solutions disagree. */
     double
     disagreement(const Cell                &cell,
                  const std::vector<double> &p,
@@ -100,22 +100,22 @@ namespace strait
   }
 
   /**
-   * Of each active cell: the flow through it on which pressure and stream function
-   * disagree, over the whole one, times the part of the pressure drop that the stream
-   * function would take to let it pass, at most one.
+   * Return for each active cell the flow through it on which pressure and stream function
+   * disagree, relative to the upper bound of the flow, times the part of the pressure
+   * drop, at most one, that the stream function would need to let this flow pass.
    *
-   * A coarse cell lets the pressure leak through a barrier, or bars the stream
-   * function's way, and costs them nothing: what that changes is at other throats,
-   * where Bracket::contributions show it and refinement does not help. These flows show
-   * the cell itself. In the wide parts of a channel, where the pressure on coarse cells
-   * spreads the flow over many of them, those on the first path of @p channel, if it
-   * has one, and beside it count as if all passed there, or what passes a throat as
-   * wide as long.
+   * A coarse cell may let the pressure leak through a barrier, or bar the way of the
+   * stream function, at no cost of its own: what that changes is at other throats, where
+   * Bracket::contributions show it and refinement does not help. These flows show the
+   * cell itself. In the wide parts of a channel, the pressure on coarse cells spreads the
+   * flow over many of them. Therefore those on the first path of @p channel, if it has
+   * one, and beside it count as if all of the disputed flow passed there, but at most
+   * what passes a throat as wide as long.
    *
    * The flows are those of uniform coefficients, the means of the cell.
    */
   dealii::Vector<float>
-  ReynoldsSolver::hidden_flows(const Channel &channel) const
+  ReynoldsSolver::disputed_flows(const Channel &channel) const
   {
     const Points path  = points_of_path(channel, flow_mesh);
     const double width = 1. - plain.lower / plain.upper;
@@ -133,12 +133,12 @@ namespace strait
         stream_problem.cell_values(c, psi);
         const double conductivity = pressure_problem.mean_coefficient(c);
         const double resistivity  = stream_problem.mean_coefficient(c);
-        // Where the gap is wide, rounding alone makes currents larger than the leak.
+        // Where the gap is wide, rounding alone makes flows larger than the leak rate.
         const double flow =
           std::min(disagreement(*cell, p, conductivity, psi, plain.lower),
                    plain.upper - plain.lower);
         double hidden = flow / plain.upper * std::min(flow * resistivity, 1.);
-        // A cell without contact takes as much of the drop however small it is.
+        // A cell without contact takes the same part of the drop however small it is.
         const double excess  = resistivity - 1. / conductivity;
         const double on_path = width * std::min(through_path * excess, 1.);
         if (on_path > hidden && touches(path, *cell))
@@ -155,14 +155,16 @@ namespace strait
   {
     // A cell is refined if it contributes more to the width of the bracket than this
     // fraction of the mean. Half of it refines more cells on each mesh and ends with
-    // more unknowns than it takes; double of it takes more meshes.
+    // more unknowns than needed; double of it takes more meshes.
     constexpr double marking_level = .7;
-    // … but no more than hold this many times the excess. Refined cells keep a quarter of
-    // what they contribute: half of it takes a mesh more nearly each time, with double of
-    // it the last mesh is finer than was asked.
+    // … but no more cells than hold this many times the excess together. A refined cell
+    // keeps a quarter of its contribution. Half of the factor takes one mesh more nearly
+    // each time; with double of it the last mesh is finer than asked.
     constexpr double excess_factor = 1.6;
-    // By how much the level rises at a time: its root and its square find alike.
+    // By how much the level rises at a time. Its root and its square do equally well.
     constexpr double rise = 1.25;
+    if (3. * affordable < 1. - useful_narrowing)
+      return false;
     using dealii::Utilities::MPI::sum;
     auto        &tria              = flow_mesh.triangulation();
     MPI_Comm     comm              = tria.get_communicator();
@@ -177,15 +179,15 @@ namespace strait
     double contribution = marking_level * width / n_cells;
     while (held_by_more_than(rise * contribution) > excess_factor * excess * width)
       contribution *= rise;
-    // Another channel is about as long as the first one, and coarse cells may bar it, or
-    // let the pressure leak through a barrier, in as many places as that has
-    // constrictions, so that none of them takes much of the drop.
+    // Another channel is about as long as the first one. Coarse cells may bar it, or let
+    // the pressure leak through a barrier, in as many places as the first one has
+    // constrictions, so that no place takes much of the drop.
     double n_places = 1.;
     if (!channel.paths.empty())
       n_places =
         static_cast<double>(divide_into_constrictions(channel.paths.front().gaps).size());
     const double hidden_flow           = 1. / n_places * (1. - plain.lower / plain.upper);
-    const dealii::Vector<float> hidden = hidden_flows(channel);
+    const dealii::Vector<float> hidden = disputed_flows(channel);
     unsigned long long          n_marked = 0;
     for (const auto &cell : tria.active_cell_iterators())
       if (cell->is_locally_owned() &&
@@ -196,10 +198,10 @@ namespace strait
           ++n_marked;
         }
     n_marked = sum(n_marked, comm);
-    if (n_marked == 0 || 3. * affordable < 1. - progress)
+    if (n_marked == 0)
       return false;
     // Where most cells matter alike, adaptivity saves nothing and costs hanging nodes
-    // and meshes.
+    // and more meshes.
     if (2. * n_marked > n_cells && affordable > 1.)
       tria.set_all_refine_flags();
     else if (n_marked > affordable * n_cells)
@@ -208,7 +210,7 @@ namespace strait
           cell->clear_refine_flag();
         dealii::parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
           tria, plain.contributions, affordable, 0.);
-        // Of cells that contribute alike it may mark none.
+        // If all cells contribute alike, it may mark none.
         n_marked = 0;
         for (const auto &cell : tria.active_cell_iterators())
           n_marked += cell->is_locally_owned() && cell->refine_flag_set() ? 1 : 0;

@@ -18,15 +18,15 @@ namespace strait
 
   namespace
   {
-    // The nodes of FE_Q(2) at the corners of the children, deal.II's order throughout.
+    // The nodes of FE_Q(2) at the corners of each child, all in deal.II's order.
     constexpr unsigned int child_corners[4][4] = {{0, 6, 4, 8},
                                                   {6, 1, 8, 5},
                                                   {4, 8, 2, 7},
                                                   {8, 5, 7, 3}};
 
     /**
-     * On cells of the grid's quadtree, from the moments that the bridge knows; potentials
-     * are polynomials on each of the parts of a cell, itself or its four children.
+     * Take the coefficient on cells of the grid's quadtree, from the moments of @p gap.
+     * Potentials are polynomials on each part of a cell: itself or its four children.
      */
     CellCoefficient
     take_on_grid(const FlowMesh             &mesh,
@@ -36,9 +36,9 @@ namespace strait
                  const GapField             &gap)
     {
       const bool is_parted = fe.degree > degree;
-      // In spacings of its grid, which is that of the mesh or a coarser one.
+      // Cells in spacings of the gap's grid, which is that of the mesh or a coarser one.
       const int coarser = mesh.grid().n_halvings() - gap.layout().grid().n_halvings();
-      std::vector<GridCell> parts; // of one cell after the other
+      std::vector<GridCell> parts; // cell after cell
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
         if (cell->is_locally_owned())
           {
@@ -50,7 +50,7 @@ namespace strait
             else
               parts.push_back(here);
           }
-      const CellAnswers answers = gap.ask(kind, parts);
+      const CellMoments answers = gap.moments_on(kind, parts);
 
       CellCoefficient     result;
       const ElementMatrix element{MomentSet(degree)};
@@ -61,7 +61,7 @@ namespace strait
                              (matrix.m() * (matrix.m() + 1) / 2));
       for (std::size_t part = 0; part < parts.size(); part += n_parts)
         {
-          // Of cells and of children alike: it depends on the ratio of both only.
+          // Those of one part serve for all: only their ratio matters.
           const auto [width, height] = mesh.edges(parts.front());
           double sum                 = 0.;
           for (std::size_t k = 0; k < n_parts; ++k)
@@ -90,9 +90,9 @@ namespace strait
     }
 
     /**
-     * On the cells of a seal mesh, by Gauss quadrature of the gap in parts of at most one
-     * grid spacing, and in cells that are smaller than four in quarters of one, enlarged
-     * by what twice as large parts find otherwise.
+     * The coefficient on the cells of a seal mesh, by Gauss quadrature of the gap in
+     * parts of at most one grid spacing. In cells smaller than four spacings, parts are
+     * at most a quarter of one, and the change from parts twice as large is added.
      */
     class SealCells
     {
@@ -108,7 +108,7 @@ namespace strait
       {
       }
 
-      /** On all cells, from @p gap. */
+      /** Take it on all cells from @p gap. */
       CellCoefficient
       take(const GapField &gap)
       {
@@ -129,8 +129,8 @@ namespace strait
           if (cell->is_locally_owned())
             {
               // Cells of fewer spacings are integrated more finely, as the bracket rests
-              // on them. Half of it leaves more to the refinement, double of it costs
-              // four times as much in cells that do not need it.
+              // on them. Half of it leaves more to the refinement; double of it makes
+              // cells that do not need it four times as expensive.
               constexpr double small   = 4.;
               const double     size    = mesh.size_in_spacings(*cell);
               int              n_parts = fewest_parts;
@@ -155,11 +155,11 @@ namespace strait
     private:
       using Cell = FlowMesh::Triangulation::active_cell_iterator;
 
-      /** Shape functions at the points of a cell, those of n_parts × n_parts parts. */
+      /** Shape functions at the quadrature points of the n_parts × n_parts parts. */
       FEValues<2> &
       values_on(const Cell &cell, const int n_parts)
       {
-        // Without a curved edge the map is bilinear, which costs less to say so.
+        // Without a curved edge the mapping is bilinear; saying so costs less.
         bool is_curved = false;
         for (const unsigned int f : cell->face_indices())
           is_curved =
@@ -175,7 +175,7 @@ namespace strait
         return *entry;
       }
 
-      /** The mean of the coefficient in a cell; @p sums: lower half of its matrix. */
+      /** Return the mean of the coefficient in a cell; @p sums: lower half of A. */
       double
       integrate(const GapField      &gap,
                 const GapRows       &rows,
@@ -205,9 +205,9 @@ namespace strait
       const MappingQ<2>       bilinear{1};
       const FiniteElement<2> &fe;
       GapField::Coefficient   kind;
-      unsigned int            degree; // of a potential on each of these parts
+      unsigned int            degree; // of a potential on each part
       std::map<std::pair<int, bool>, std::unique_ptr<FEValues<2>>>
-        values; // by number of parts, and for curved cells
+        values; // by number of parts, and whether curved
     };
   } // namespace
 

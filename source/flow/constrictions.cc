@@ -14,15 +14,15 @@ namespace strait
 {
   namespace
   {
-    /** The fluid's pressure, 1 at the inlet and 0 at the outlet, at the points of
-     *  @p path, the same on all ranks. Collective. */
+    /** Return the fluid's pressure, scaled to 1 at the inlet and 0 at the outlet, at the
+     *  points of @p path, the same on all ranks. Collective. */
     std::vector<double>
     pressure_along(const ReynoldsSolver &solver,
                    const SlabLayout     &layout,
                    const FlowPath       &path)
     {
       constexpr double unknown = -1.;
-      // The points of each level, the grid first, by their place on the path.
+      // Where on the path the points of each level are, those of the grid first.
       using Places                 = std::map<std::pair<int, int>, std::size_t>;
       const int           n_levels = static_cast<int>(layout.windows().size()) + 1;
       std::vector<Places> wanted(n_levels);
@@ -33,12 +33,12 @@ namespace strait
         rows.push_back(rows_of_window(layout, w));
       if (solver.mesh().seal() != nullptr)
         {
-          // Its outline may run along the far edges of the box.
+          // The outline of a seal mesh may run along the far edges of the box.
           ++rows.front().nx;
           ++rows.front().ny;
         }
-      // Of cells that hold the point, and of those beside it, which serve where no other
-      // does, on any rank.
+      // From cells that contain the point, and from those beside it, which count only
+      // where no cell on any rank contains it.
       std::vector<double>    result(path.points.size(), unknown), beside(result);
       dealii::Vector<double> corners(
         solver.pressure().dof_handler().get_fe().n_dofs_per_cell());
@@ -55,7 +55,7 @@ namespace strait
         dealii::Utilities::MPI::max(*values,
                                     solver.mesh().triangulation().get_communicator(),
                                     *values);
-      // Of a gas the potential that was solved for is not the pressure.
+      // For a gas the potential that was solved for is not the pressure.
       const double outlet = solver.pressure_at(0.), inlet = solver.pressure_at(1.);
       for (std::size_t k = 0; k < result.size(); ++k)
         {
@@ -63,7 +63,7 @@ namespace strait
             std::clamp(result[k] == unknown ? beside[k] : result[k], 0., 1.);
           result[k] = (solver.pressure_at(potential) - outlet) / (inlet - outlet);
         }
-      // The path begins and ends in the reservoirs, perhaps beyond the outline of a mesh.
+      // The path begins and ends in the reservoirs, perhaps outside the seal mesh.
       result.front() = 1.;
       result.back()  = 0.;
       return result;

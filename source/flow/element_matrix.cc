@@ -23,7 +23,7 @@ namespace strait
       return p.primitive().value(1.);
     }
 
-    /** Of a polynomial, constant first. */
+    /** Return the coefficients of a polynomial, the constant first. */
     std::vector<double>
     coefficients_of(const Polynomial &p)
     {

@@ -14,13 +14,13 @@ namespace strait
 {
   namespace
   {
-    // With quartic edges an arc is off its circle by 1e-6 of its radius for a quarter of
-    // a turn, and 32 times less with each refinement. Half of the degree leaves
-    // more of that to refinement, double of it costs time at every point.
+    // A quartic edge over a quarter of a turn is off its circle by 1e-6 of the radius,
+    // and by 32 times less after each refinement. Half of the degree leaves more of that
+    // to refinement; double of it costs time at every point.
     constexpr unsigned int degree_of_arcs = 4;
 
-    /** The exponent of the largest cells of the box. Of those, periodicity in deal.II
-     *  wants two across. */
+    /** Return the exponent of the largest cells of the box. deal.II needs two of them
+     *  across for periodicity. */
     int
     exponent_of_roots(const PeriodicGrid &grid)
     {
@@ -55,7 +55,7 @@ namespace strait
       static_cast<unsigned int>(periodic_grid.ny >> root_exponent)};
     dealii::GridGenerator::subdivided_hyper_rectangle(
       tria, n_roots, {0., 0.}, {periodic_grid.lx, periodic_grid.ly}, true);
-    // The ends along x now have the ids 0 and 1, those along y 2 and 3.
+    // The ends along x now have the ids 0 and 1, those along y have 2 and 3.
     if (axis_along() == 1)
       for (const auto &face : tria.active_face_iterators())
         if (face->at_boundary())
@@ -66,7 +66,7 @@ namespace strait
     tria.add_periodicity(pairs);
   }
 
-  /** Make the coarse mesh of the seal, with a manifold for each of its circles. */
+  /** Make the coarse mesh of the seal, with a manifold for each circle. */
   void
   FlowMesh::make_seal()
   {
@@ -120,7 +120,7 @@ namespace strait
   bool
   FlowMesh::can_be_refined() const
   {
-    // p4est has 30 levels, an int 31 bits. The children of the cells are counted as well.
+    // p4est has 30 levels, an int 31 bits; the children of cells are counted as well.
     constexpr int most  = 29;
     const int     level = static_cast<int>(tria.n_global_levels()) - 1;
     return level + 1 < most && (seal_mesh != nullptr ||

@@ -13,14 +13,14 @@ namespace strait
 
   namespace
   {
-    // The nodes of a cell in the order of FE_Q(2): vertices, middles of edges, centre.
+    // The nodes of a cell in the order of FE_Q(2): vertices, edge midpoints, centre.
     constexpr unsigned int n_vertices = 4, n_rim = 8, centre = 8;
 
     using Nodes = std::array<double, n_rim + 1>;
 
     /**
-     * The equations of the freed nodes, kept cell by cell: of its nine nodes the centre
-     * is eliminated and the rest, the rim, depends on at most a few freed ones.
+     * The equations of the freed nodes, kept cell by cell: of the nine nodes of a cell
+     * the centre is eliminated; the others, its rim, depend on at most a few freed nodes.
      */
     class RimSystems
     {
@@ -33,10 +33,10 @@ namespace strait
       }
 
       /**
-       * Append the next cell, and add what it contributes to the residual @p r and the
-       * diagonal @p d. @p base are the values before correction; a closed cell
-       * contributes nothing. Nodes of the rim that are @p fixed are kept.
-       * @return the energy of the cell with these values but the best one at the centre
+       * Append the next cell, and add its contributions to the residual @p r and the
+       * diagonal @p d. @p base has the values before correction. A closed cell
+       * contributes nothing. Nodes of the rim that are @p fixed keep their values.
+       * @return the energy of the cell with these values and the best one at the centre
        */
       double
       append(const FullMatrix<double>      &matrix,
@@ -54,7 +54,7 @@ namespace strait
         double *entries = matrices.data() + matrices.size() - m * m;
         if (closed)
           return 0.;
-        // Eliminate the centre; residual of the rim with the centre at its optimum.
+        // Eliminate the centre: residual of the rim with the centre at its optimum.
         double rim[n_rim][n_rim], residual[n_rim];
         double at_centre = 0;
         for (unsigned int j = 0; j < base.size(); ++j)
@@ -86,7 +86,7 @@ namespace strait
                at_centre * at_centre / matrix(centre, centre);
       }
 
-      /** The product with x, whose ghost values come and go. Collective. */
+      /** Compute the product with x, whose ghost values are set meanwhile. Collective. */
       void
       vmult(Vector &image, const Vector &x) const
       {
@@ -112,11 +112,11 @@ namespace strait
 
     private:
       const FreedNodes   &nodes;
-      std::size_t         n_cells = 0; // that were appended
-      std::vector<double> matrices;    // one after the other, row by row
+      std::size_t         n_cells = 0; // appended so far
+      std::vector<double> matrices;    // cell after cell, row by row
     };
 
-    /** The bilinear function with the given values at the vertices, less the first. */
+    /** Nodal values of the bilinear function with these vertex values, less the first. */
     Nodes
     interpolate(const std::vector<double> &vertices)
     {
@@ -134,8 +134,8 @@ namespace strait
     DoFHandler<2> dofs(mesh.triangulation());
     dofs.distribute_dofs(fe);
     AffineConstraints<double> constraints = mesh.continuity(dofs);
-    // The vertices of the mesh keep their values. A vertex that hangs on an edge is
-    // the new node of that edge and follows it.
+    // The vertices of the mesh keep their values. A hanging vertex is the new node of the
+    // coarser edge and follows that.
     std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
     for (const auto &cell : dofs.active_cell_iterators())
       if (!cell->is_artificial())
@@ -181,8 +181,8 @@ namespace strait
   HierarchicalCorrection::relax(const PotentialProblem &problem,
                                 const GapField         &gap) const
   {
-    // Half as many steps leave a wider bracket and hence more cells, twice as many cost
-    // more than the cells that they save; each costs about as much as the one before.
+    // Half as many steps leave a wider bracket and hence need more cells; twice as many
+    // cost more than the cells that they save. All steps cost about the same.
     constexpr unsigned int n_steps = 4;
     const CellCoefficient  coefficient =
       coefficient_on_cells(mesh, 1, fe, problem.coefficient_kind(), gap);
@@ -220,7 +220,7 @@ namespace strait
     const DiagonalMatrix<Vector> inverse_diagonal(diagonal);
     const Vector                 b(r);
     solve_by_conjugate_gradients(systems, x, r, inverse_diagonal, 0., n_steps);
-    // The energy falls by 2 x·b − x·Ax, of which Ax = b − r.
+    // The energy falls by 2 x·b − x·Ax, with Ax = b − r.
     return Utilities::MPI::sum(energy, x.get_mpi_communicator()) - (x * b + x * r);
   }
 } // namespace strait

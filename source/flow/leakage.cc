@@ -20,8 +20,8 @@ namespace strait
       std::cbrt(12. * fluid.viscosity * leakage.rate * leakage.aspect / drop);
     if (fluid.rarefaction == Rarefaction::none)
       return viscous;
-    // A rarefied gas needs less of a gap, whose cube falls short of the other's by what
-    // its mobility is more: each round comes closer from above, until rounding is left.
+    // A rarefied gas needs a smaller gap: its cube is smaller by the factor by which the
+    // mobility is larger. Each round comes closer from above, down to rounding.
     const RarefiedGas gas(fluid);
     const auto [low, high] = std::minmax(fluid.inlet_pressure, fluid.outlet_pressure);
     double gap = viscous, before = 0.;

@@ -11,7 +11,7 @@ namespace strait
 {
   namespace
   {
-    // Gmsh's numbers of element types, and how many nodes they have.
+    // Gmsh's codes of element types, and their numbers of nodes.
     constexpr int            line = 1, triangle = 2, quadrilateral = 3, point = 15;
     const std::map<int, int> n_nodes_of = {{line, 2}, {quadrilateral, 4}, {point, 1}};
     const char *const        how_to_write =
@@ -67,7 +67,7 @@ namespace strait
       next_count(const std::string &what)
       {
         const auto count = next<long long>(what);
-        // More than the file has characters would let a damaged one ask for all memory.
+        // A damaged file must not ask for all memory: no count exceeds the file's length.
         if (count < 0 || static_cast<std::size_t>(count) > length)
           fail("says that " + what + " is " + std::to_string(count));
         return static_cast<std::size_t>(count);
@@ -109,8 +109,8 @@ namespace strait
         end("MeshFormat");
       }
 
-      /** Entities have bounding boxes, physical groups and, but for points, what bounds
-       *  them; of curves the first physical group is kept. */
+      /** Entities have bounding boxes, physical groups and, except for points, bounding
+       *  entities. The first physical group of each curve is kept. */
       void
       read_entities()
       {
@@ -127,7 +127,7 @@ namespace strait
               for (std::size_t g = 0; g < n_groups; ++g)
                 {
                   const auto id = next<int>("a physical group");
-                  // Its sign tells which way round the curve is in the group.
+                  // Its sign is the orientation of the curve in the group.
                   if (dim == 1)
                     boundary_ids.emplace(tag, std::abs(id));
                 }
@@ -169,7 +169,7 @@ namespace strait
         end("Nodes");
       }
 
-      /** The new number of a node. */
+      /** Return the new number of a node; give it one if it has none. */
       unsigned int
       point_number(const long long tag)
       {

@@ -37,7 +37,7 @@ namespace strait
         : comm(matrix.get_mpi_communicator())
       {
         HYPRE_Init();
-        // A rank without rows still has to name an empty range that ascends.
+        // A rank without rows still has to give an empty range that ascends.
         const int n_mine = matrix.trilinos_matrix().NumMyRows();
         int       end    = n_mine;
         MPI_Scan(MPI_IN_PLACE, &end, 1, MPI_INT, MPI_SUM, comm);
@@ -138,7 +138,7 @@ namespace strait
         HYPRE_BoomerAMGSetMaxIter(solver, 1);
         // Coarsening, interpolation and threshold are the defaults of hypre 2.26: HMIS,
         // "extended+i" with 4 weights, 0.25. A larger threshold or fewer weights make
-        // coarse grids that are cheaper and worse.
+        // coarse grids cheaper and worse.
         HYPRE_BoomerAMGSetRelaxType(solver, symmetric_gauss_seidel);
         check(HYPRE_BoomerAMGSetup(solver, parcsr, handle(right), handle(left)),
               "setting up BoomerAMG");

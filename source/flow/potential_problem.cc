@@ -72,7 +72,7 @@ namespace strait
         set_boundary(FlowMesh::left_wall, 1.);
       }
     else if (mesh.seal() != nullptr)
-      find_angles();
+      find_multivalued_part();
   }
 
   UnknownsMatrix
@@ -92,9 +92,9 @@ namespace strait
   void
   PotentialProblem::pin_one_value(UnknownsMatrix &matrix) const
   {
-    // The potential is known but for a constant, and as the equations add up to zero,
-    // a spring at one unknown sets that to zero. It is where the coefficient is largest:
-    // elsewhere its share would be lost in the rounding of larger entries.
+    // The potential is determined only up to a constant. As the equations add up to zero,
+    // a spring at one unknown sets that unknown to zero. It is put where the diagonal is
+    // largest: elsewhere it would be lost in the rounding of larger entries.
     MPI_Comm                comm     = dofs.get_communicator();
     double                  largest  = 0.;
     types::global_dof_index stiffest = numbers::invalid_dof_index;
@@ -150,7 +150,7 @@ namespace strait
   void
   PotentialProblem::pin_unreached_rows(UnknownsMatrix &matrix)
   {
-    // Unknowns that no open cell reaches have empty rows; they are set to zero.
+    // Unknowns on closed cells only have empty rows; they are set to zero.
     std::vector<types::global_dof_index> unreached;
     types::global_dof_index              n_active = 0;
     for (const auto k : dofs.locally_owned_dofs())
@@ -181,9 +181,9 @@ namespace strait
     pin_unreached_rows(matrix);
     const auto multigrid = make_multigrid(accuracy.preconditioner, matrix);
 
-    // How small the error must be follows from the energy, which is not known before
-    // the system is solved: start from the energy of the right-hand side, which is
-    // too large, and tighten the goal until both fit.
+    // The goal follows from the energy, which is not known before the system is solved:
+    // start from the energy of the right-hand side, which is too large, and tighten the
+    // goal until both fit.
     Vector smoothed(right_hand_side);
     multigrid->vmult(smoothed, right_hand_side);
     double      goal = accuracy.energy * (right_hand_side * smoothed);
@@ -199,7 +199,7 @@ namespace strait
         complete_solution();
         goal            = accuracy.energy * energy();
         total.converged = solve.converged && solve.error_energy <= goal;
-        // The energy hardly changes any more, and with it the goal, so that this ends.
+        // This ends, since the energy, and with it the goal, soon hardly changes.
         if (total.converged || !solve.converged)
           return total;
       }

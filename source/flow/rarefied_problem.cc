@@ -11,9 +11,9 @@ namespace strait
 {
   namespace
   {
-    /** The weight of each owned cell, at the mean of its pressure and for the gap that
-     *  conducts as its mean does; in proportion to that of RarefiedFlow::middle_weight,
-     * which the coefficient has. */
+    /** Return the weight of each owned cell, at the pressure of its mean potential and
+     *  for the gap that has its mean conductivity; relative to
+     *  RarefiedFlow::middle_weight, which the coefficient contains. */
     std::vector<double>
     weights_of_cells(const PotentialProblem &pressure, const GapField &gap)
     {
@@ -41,8 +41,8 @@ namespace strait
     pressure.take_coefficient(gap_field);
     if (has_solution)
       pressure.set_weights(weights_of_cells(pressure, gap_field));
-    // Each round changes the weights several times less than the one before, and the
-    // last one changes more than it leaves over: two or three are usual.
+    // Each round changes the weights several times less than the one before, and what the
+    // last one changes is more than the error that it leaves. Two or three are usual.
     for (int round = 1;; ++round)
       {
         const LinearSolve solve = pressure.solve(accuracy());
@@ -50,8 +50,8 @@ namespace strait
         const double before = pressure.energy();
         pressure.set_weights(weights_of_cells(pressure, gap_field));
         const double change = std::abs(pressure.energy() / before - 1.);
-        outcome.converged =
-          solve.converged && change <= looseness * parameters.target_accuracy;
+        outcome.converged   = solve.converged && change <= intermediate_tolerance_factor *
+                                                           parameters.target_accuracy;
         if (outcome.converged || !solve.converged || round == iteration_limit)
           return outcome;
       }
@@ -82,8 +82,8 @@ namespace strait
     if (gas.molecular_weight)
       {
         const double least =
-          gas.least_of_two(1. / least_energy(Coefficient::viscous_resistivity),
-                           1. / least_energy(Coefficient::molecular_resistivity));
+          gas.two_gas_lower_bound(1. / least_energy(Coefficient::viscous_resistivity),
+                                  1. / least_energy(Coefficient::molecular_resistivity));
         if (least > leakage.lower)
           {
             leakage.lower = least;
@@ -91,7 +91,7 @@ namespace strait
           }
       }
     leakage.lower = std::min(leakage.lower, leakage.upper);
-    // One weight for a cell is not the gas's own, which the bounds are of.
+    // The rate is for one weight per cell, the bounds for the true weight of the gas.
     const double rate = std::clamp(std::abs(leakage.rate), leakage.lower, leakage.upper);
     leakage.rate      = gas.drive() < 0 ? -rate : rate;
   }

@@ -8,14 +8,14 @@ namespace strait
 {
   namespace
   {
-    // What rounding may do to bounds of the same quantity, relative. Both ends would be
-    // wrong by far more if the solver failed, so that half and double find the same.
+    // The relative effect of rounding on bounds of the same quantity. If the solver
+    // failed, they would be wrong by far more; half and double of it decide alike.
     constexpr double noise_of_bounds = 1e-6;
 
-    // While a barrier or a channel is being resolved the bracket may rest for a mesh or
-    // two before it narrows again, and before cells are as small as the spacing for more.
-    // Half of the patience gives up while it rests; double of it makes more meshes in
-    // vain where the grid is too coarse.
+    // While a barrier or a channel is being resolved, the bracket may stay as wide for a
+    // mesh or two before it narrows again, and for more before cells are as small as the
+    // spacing. Half of the patience gives up during that time; double of it makes more
+    // meshes in vain where the grid is too coarse.
     constexpr std::size_t patience = 4;
   } // namespace
 
@@ -55,7 +55,7 @@ namespace strait
         const double width = leakage.relative_width();
         if (unknowns_needed == 0 && width <= target)
           unknowns_needed = leakage.unknowns;
-        // More than the target accuracy must not cost too many times the unknowns that
+        // More accuracy than the target must not cost too many times the unknowns that
         // the target took. Half of it ends the search for a narrower bracket earlier,
         // double of it makes it up to twice as expensive.
         constexpr unsigned long long most_growth = 8;
@@ -64,12 +64,12 @@ namespace strait
         if (width <= tolerance_factor * target || is_enough ||
             leakage.unknowns > most_unknowns)
           break;
-        std::string reason = obstacle(leakage);
+        std::string reason = reason_to_stop(leakage);
         if (reason.empty() && !refine(leakage, channel, tolerance_factor * target))
           reason = "it takes more than Fluid/Maximum unknowns";
         if (!reason.empty())
           {
-            // To miss the smaller tolerance only is no failure.
+            // Missing only the smaller tolerance is no failure.
             if (width > target)
               {
                 leakage.reason = reason;
@@ -87,8 +87,8 @@ namespace strait
   LinearAccuracy
   ReynoldsSolver::accuracy() const
   {
-    // The error of an energy is the square of that of its potential. Double of it saves a
-    // fraction of an iteration, as half of it costs one; the bounds feel neither.
+    // The error of an energy is the square of that of its potential. Double of it saves
+    // and half of it costs a fraction of an iteration; neither changes the bounds.
     return {parameters.preconditioner,
             noise_of_bounds * noise_of_bounds * parameters.target_accuracy};
   }
@@ -103,7 +103,7 @@ namespace strait
     return problem.solve(accuracy());
   }
 
-  /** What a conductance is to be multiplied with to give the leak rate. */
+  /** Return the factor from a conductance to a leak rate. */
   double
   ReynoldsSolver::drive() const
   {
@@ -116,7 +116,7 @@ namespace strait
     if (gap_field.gas() != nullptr)
       return gap_field.gas()->pressure(potential);
     const double low = parameters.outlet_pressure, high = parameters.inlet_pressure;
-    // The density of a gas rises with its pressure, so that p² is what K∇ is taken of.
+    // The density of a gas rises with its pressure, so that its potential is p².
     return parameters.is_gas
              ? std::sqrt(std::max(0., low * low + (high * high - low * low) * potential))
              : low + pressure_drop * potential;
@@ -132,7 +132,7 @@ namespace strait
   double
   ReynoldsSolver::change_in(const GapField &other)
   {
-    // Cells that are coarse for the other gap raise both energies, and the ratio hardly.
+    // Cells too coarse for the other gap raise both energies, but hardly their quotient.
     double change = 1.;
     for (const PotentialProblem *problem : {&pressure_problem, &stream_problem})
       {
@@ -162,9 +162,9 @@ namespace strait
       }
     plain        = plain_bracket(pressure_problem, stream_problem);
     double upper = plain.upper, lower = plain.lower;
-    // Correction brings the bounds closer, to stop on. What cells contribute to them is
-    // no guide for refinement: it stops a short cut through a coarse cell after the fact,
-    // when the pressure around has already adjusted to it.
+    // Hierarchical correction narrows the bracket that decides when to stop. The shares
+    // of cells in it are no guide for refinement: the correction closes a short cut
+    // through a coarse cell only after the pressure around has adjusted to it.
     if (parameters.element_degree == 1)
       {
         HierarchicalCorrection correction(flow_mesh);
@@ -173,12 +173,12 @@ namespace strait
       }
     leakage.mesh_upper = upper * std::abs(drive());
     leakage.mesh_lower = lower * std::abs(drive());
-    // A bound of an earlier mesh still holds, should the solver fail on this one,
+    // A bound of an earlier mesh still holds, even if the solver fails on this one,
     // unless its cells were so coarse that it contradicts this one.
     const bool first = leakage.upper == 0;
     const bool fit   = leakage.mesh_lower <= leakage.upper * (1 + noise_of_bounds) &&
                      leakage.mesh_upper * (1 + noise_of_bounds) >= leakage.lower;
-    // Those of a rarefied gas are for the weights of its mesh.
+    // For a rarefied gas they only hold for the weights of their mesh.
     if (first || !fit || gap_field.gas() != nullptr)
       {
         leakage.upper = leakage.mesh_upper;
@@ -186,7 +186,7 @@ namespace strait
       }
     leakage.upper = std::min(leakage.upper, leakage.mesh_upper);
     leakage.lower = std::max(leakage.lower, leakage.mesh_lower);
-    // Of a wide bracket the upper end is nearer: the lower bound waits for a channel.
+    // In a wide bracket the upper bound is nearer: the lower one still lacks a channel.
     const double best = 2. * leakage.lower < leakage.upper
                           ? leakage.upper
                           : std::sqrt(leakage.upper) * std::sqrt(leakage.lower);
@@ -197,14 +197,14 @@ namespace strait
   }
 
   std::string
-  ReynoldsSolver::obstacle(const Leakage &leakage)
+  ReynoldsSolver::reason_to_stop(const Leakage &leakage)
   {
     if (flow_mesh.reaches_spacing())
       widths.push_back(std::log(leakage.upper / leakage.lower));
     if (!flow_mesh.can_be_refined())
       return "the smallest cells cannot be divided any further";
     if (widths.size() > patience &&
-        widths.back() > progress * widths[widths.size() - 1 - patience])
+        widths.back() > useful_narrowing * widths[widths.size() - 1 - patience])
       return "the bracket no longer narrows: the grid of the contact does not resolve "
              "the narrowest constriction";
     return {};
@@ -215,7 +215,7 @@ namespace strait
                          const Channel &channel,
                          const double   wanted)
   {
-    // Each marked cell adds three; a few more come from balancing the mesh.
+    // Each marked cell adds three; balancing the mesh adds a few more.
     const double affordable =
       (static_cast<double>(parameters.maximum_unknowns) / leakage.unknowns - 1.) / 3.;
     auto &tria = flow_mesh.triangulation();

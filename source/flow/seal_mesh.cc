@@ -21,7 +21,7 @@ namespace strait
     constexpr int inlet_id  = static_cast<int>(OutlineKind::inlet),
                   outlet_id = static_cast<int>(OutlineKind::outlet);
 
-    /** Makes a SealMesh, step by step. */
+    /** Builds a SealMesh, step by step. */
     class Builder
     {
     public:
@@ -79,7 +79,7 @@ namespace strait
           }
       }
 
-      /** The boundary edges, by their first point. */
+      /** Find the boundary edges, by their first points. */
       void
       find_edges()
       {

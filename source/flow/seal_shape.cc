@@ -21,7 +21,7 @@ namespace strait
       return a[0] * b[1] - a[1] * b[0];
     }
 
-    /** The closed boundaries, each from edge to edge. */
+    /** Return the closed boundaries, the edges of each in their sequence. */
     std::vector<Loop>
     find_loops(std::map<unsigned int, SealMesh::Edge> left)
     {
@@ -57,7 +57,8 @@ namespace strait
       return area;
     }
 
-    /** Walls are right of the flow after the inlet, left after the outlet. */
+    /** Walls are right of the flow after the inlet, left after the outlet.
+     * @return whether it is a strip. */
     bool
     name_walls_of_strip(Loop &loop)
     {
@@ -89,7 +90,7 @@ namespace strait
                                                   OutlineKind::left_wall};
     }
 
-    /** The middle of the widest part of the hole half-way up. */
+    /** Return the middle of the widest stretch of the hole at half its height. */
     Point<2>
     point_in_hole(const SealMesh &mesh, const Loop &loop)
     {
@@ -123,7 +124,7 @@ namespace strait
         return false;
       if (enclosed_area(mesh, loops[0]) < 0)
         std::swap(loops[0], loops[1]);
-      // The mesh is to the left of its edges, so a hole is run around clockwise.
+      // The mesh is to the left of its edges, so that a hole is traversed clockwise.
       if (!(enclosed_area(mesh, loops[0]) > 0 && enclosed_area(mesh, loops[1]) < 0))
         return false;
       mesh.is_ring        = true;
@@ -134,8 +135,8 @@ namespace strait
                                      consists_of(loops[1], OutlineKind::outlet);
     }
 
-    /** A chain of points on the arc of @p circle between two points on it, the shorter
-     * way, in steps of at most @p longest; @p from is included, @p to is not. */
+    /** Return points on the shorter arc of @p circle between two points on it, in steps
+     * of at most @p longest; @p from is included, @p to is not. */
     std::vector<Point<2>>
     divide_arc(const SealMesh::Circle &circle,
                const Point<2>         &from,
@@ -189,8 +190,8 @@ namespace strait
   {
     if (points.size() < 3)
       return {};
-    // Three points far from each other: the first, the farthest from it, and the one
-    // that is farthest from the line through both.
+    // Three points far from each other: the first, the one farthest from it, and the one
+    // farthest from the line through both.
     const auto farthest = [&points](const auto &distance) {
       return *std::max_element(points.begin(),
                                points.end(),

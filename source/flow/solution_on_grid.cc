@@ -31,7 +31,7 @@ namespace strait
       for (const int i : {-1, 0, 1})
         for (const int j : {-1, 0, 1})
           {
-            // Of the image of the cell that is moved by so many periods.
+            // The image of the cell that is shifted by (i, j) periods.
             const double low_x = cell.i * size + i * grid.nx;
             const double low_y = cell.j * size + j * grid.ny;
             const int    end_x = std::min(index_at(low_x + size, rows.x0), rows.nx);
@@ -51,9 +51,9 @@ namespace strait
                            const CellAccessor<2> &cell,
                            const PointRows       &rows)
     {
-      // In units of the cell: so far beside a cell at the outline, whose edge may be
-      // curved away from them, points are taken for its own. Half of it leaves points out
-      // beside coarse cells on arcs, double of it looks at more points for nothing.
+      // How far, in units of the cell, points beside a cell at the outline may be to be
+      // taken for its own, as its edge may be curved. Half of it leaves out points beside
+      // coarse cells on arcs; double of it looks at more points for nothing.
       constexpr double beside      = 1. / 3;
       const double     slack       = cell.at_boundary() ? beside : precision_of_meshes;
       const double     spacing[2]  = {grid.dx() * rows.step, grid.dy() * rows.step};
@@ -111,13 +111,13 @@ namespace strait
       const Tensor<1, 2> b       = cell->vertex(upper) - cell->vertex(lower);
       const double       along_a = values[right] - values[left];
       const double       along_b = values[upper] - values[lower];
-      // The gradient that rises by these along the edges.
+      // The gradient for which the potential rises by these values along the edges.
       return (along_a * b - along_b * a).norm() / std::abs(a[0] * b[1] - a[1] * b[0]);
     }
 
     /**
-     * |∇| of the potential at the vertices [1/length], the mean over the cells that meet
-     * there, at the unknowns of the vertices, with ghost values. Collective.
+     * Return |∇| of the potential at the vertices [1/length], as mean over the cells that
+     * meet there, at the unknowns of the vertices, with ghost values. Collective.
      */
     LinearAlgebra::distributed::Vector<double>
     vertex_slopes(const PotentialProblem &problem)
@@ -187,8 +187,7 @@ namespace strait
     const PotentialProblem &pressure = solver.pressure();
     const FiniteElement<2> &fe       = pressure.dof_handler().get_fe();
     std::vector<double>     values;
-    // Call add(point, potential) for those of some rows of points that this rank's cells
-    // have.
+    // Call add(point, potential) for the points of some rows in the cells of this rank.
     const auto for_each_of = [&](const PointRows &points, const auto &add) {
       for (std::size_t c = 0; c < pressure.cells().size(); ++c)
         {
@@ -203,7 +202,7 @@ namespace strait
             }
         }
     };
-    std::map<int, std::vector<double>> rows; // that this rank's cells touch
+    std::map<int, std::vector<double>> rows; // with points in this rank's cells
     for_each_of(rows_of_grid(layout->grid(), 1),
                 [&](const PointInCell &p, const double potential) {
                   rows.try_emplace(p.iy, layout->grid().nx).first->second[p.ix] +=

@@ -13,25 +13,27 @@ namespace strait
 {
   namespace
   {
-    // Largest over smallest gap of a part on which quadrature is trusted, and of one that
-    // is all but even. With 1.6 for the first a gap takes longer to prepare and the
-    // bounds are the same; with 4 points might pass by a peak of 1/K that is 60 times as
-    // high as what they see. In an even part bends count for nothing, and where there is
-    // none p + 1 points are enough: no integral over a random cell is too small by more
-    // than 3·10⁻⁴, nor is it with half the excess over 1; with double of it it is 6·10⁻⁴.
+    // Largest over smallest gap of a part, up to which quadrature is trusted and up to
+    // which the part counts as even. With 1.6 for the first a gap takes longer to prepare
+    // and the bounds are the same; with 4 points might miss a peak of 1/K that is 60
+    // times as high as what they see. In an even part bends do not matter, and without
+    // bends p + 1 points are enough: no integral over a random cell is too small by more
+    // than 3·10⁻⁴. Half the excess over 1 gives the same, double of it 6·10⁻⁴.
     constexpr double trusted_ratio = 2.5, even_ratio = 1.1;
 
-    // What a part may add to the integral over the cell without being divided, relative.
-    // It limits what quadrature adds to the width of the bracket where cells are larger
-    // than the spacing; a third of it takes no longer and changes bounds by a few 1e-5.
+    // What a part may add to the integral over the cell without being divided, relative
+    // to the integral. It limits what quadrature adds to the width of the bracket where
+    // cells are larger than the spacing. A third of it takes no longer and changes the
+    // bounds by a few 1e-5.
     constexpr double tolerance = 1e-3;
 
-    // How often a part is divided. What is still not resolved widens the bracket: half of
-    // it takes one cell in a hundred more, double of it changes nothing.
+    // Largest number of successive divisions. What they leave unresolved widens the
+    // bracket: half of it costs one cell in a hundred more, double of it changes nothing.
     constexpr int most_divisions = 8;
 
-    // The edge, in spacings, of cells that are left around throats. The larger they may
-    // be, the more cells beside contact are taken for closed.
+    // Edge, in spacings, of the cells that the mesh finally has around throats. Only on
+    // smaller cells is 1/K next to contact replaced by its largest value. The larger this
+    // edge, the more cells beside contact would count as closed.
     constexpr double small_cell = .25;
 
     /** A rectangle of the unit cell. */
@@ -47,7 +49,7 @@ namespace strait
     };
   } // namespace
 
-  /** What one square has of a cell, as it is added up part by part. */
+  /** Sums up, part by part, what one cell contributes to the moments of one square. */
   struct CellQuadrature::Sums
   {
     using Values     = std::array<double, max_points * max_points>;
@@ -57,29 +59,30 @@ namespace strait
     const CellGap        &gap;
     const Square         &square;
 
-    /** What is to be known of the gap on a part, for all coefficients; for rigorous
-     * bounds its range is all that counts. */
-    struct Look
+    /** What is known of the gap on a part, for all coefficients. Rigorous bounds rest on
+     *  the range alone. */
+    struct GapSamples
     {
       CellGap::Range        range;
-      Values                at_coarse = {}; // points
-      std::optional<Values> at_fine   = {}; // once they are asked for
+      Values                at_coarse = {}; // gaps at the points of the coarse rule
+      std::optional<Values> at_fine   = {}; // of the fine rule, once needed
     };
 
-    Look
+    GapSamples
     look_at(const Part &part) const
     {
-      Look look{gap.range(part.start[0], part.start[1], part.size[0], part.size[1])};
+      GapSamples look{
+        gap.range(part.start[0], part.start[1], part.size[0], part.size[1])};
       if (!quadrature.rigorous)
         evaluate(part, quadrature.coarse, look.at_coarse);
       return look;
     }
 
-    /** Add a part, which may be divided @p n_divisions times, to the sums from @p begin
-     *  to @p end, which are put into another order. */
+    /** Add a part, which may be divided @p n_divisions times in succession, to the
+     *  integrals from @p begin to @p end, whose order changes. */
     void
     add(const Part &part,
-        Look        look,
+        GapSamples  look,
         const int   n_divisions,
         Integral   *begin,
         Integral   *end) const
@@ -102,15 +105,17 @@ namespace strait
     }
 
   private:
-    /** Add a part to @p sum, unless it has to be divided for that and may be. */
+    /** Add a part to @p sum and return true; or return false if the part has to be
+     *  divided for that, which @p may_divide allows. */
     bool
-    take(const Part &part, Look &look, const bool may_divide, Integral &sum) const
+    take(const Part &part, GapSamples &look, const bool may_divide, Integral &sum) const
     {
       const CellGap::Range &range   = look.range;
       const double          trusted = range.bends() ? even_ratio : trusted_ratio;
-      // Next to contact 1/K has no end, though hardly anything flows there: its largest
-      // value would block channels a few spacings wide until the cells are small.
-      const bool has_no_end =
+      // Next to contact 1/K is practically unbounded, though hardly anything flows there.
+      // Its largest value would block channels a few spacings wide until the cells are
+      // small.
+      const bool touches_contact =
         square.edge >= small_cell && range.lowest <= rounding * range.highest;
       if (!quadrature.rigorous && !range.bends() &&
           range.highest <= even_ratio * range.lowest)
@@ -120,13 +125,14 @@ namespace strait
           add_values(part, quadrature.coarse, values, 0., sum.moments);
           return true;
         }
-      if (!quadrature.rigorous && (range.highest <= trusted * range.lowest || has_no_end))
+      if (!quadrature.rigorous &&
+          (range.highest <= trusted * range.lowest || touches_contact))
         {
           Values       values = look.at_coarse;
           const double other  = apply_law(quadrature.coarse, sum.law, values);
           const double mean   = sample(part, sum.law, look, values);
           const double error  = std::abs(mean - other);
-          if (may_divide && !has_no_end &&
+          if (may_divide && !touches_contact &&
               error * part.area() > tolerance * std::max(sum.scale, mean * part.area()))
             return false;
           add_values(part, quadrature.fine, values, error, sum.moments);
@@ -143,7 +149,7 @@ namespace strait
       return true;
     }
 
-    /** The gap at the points of @p rule. */
+    /** Evaluate the gap at the points of @p rule. */
     void
     evaluate(const Part &part, const Quadrature &rule, Values &values) const
     {
@@ -158,8 +164,7 @@ namespace strait
       gap.evaluate(n, x, y, values.data());
     }
 
-    /** Turn gaps at the points of @p rule into the coefficient there. Returns its mean.
-     */
+    /** Turn the gaps at the points of @p rule into the coefficient; return its mean. */
     static double
     apply_law(const Quadrature &rule, const CoefficientLaw &law, Values &values)
     {
@@ -172,9 +177,12 @@ namespace strait
       return mean;
     }
 
-    /** The coefficient at the fine points. Returns its mean. */
+    /** Evaluate the coefficient at the points of the fine rule; return its mean. */
     double
-    sample(const Part &part, const CoefficientLaw &law, Look &look, Values &values) const
+    sample(const Part           &part,
+           const CoefficientLaw &law,
+           GapSamples           &look,
+           Values               &values) const
     {
       if (!look.at_fine)
         evaluate(part, quadrature.fine, look.at_fine.emplace());
@@ -191,7 +199,7 @@ namespace strait
     {
       const auto  &along = rule.get_tensor_basis()[0];
       const int    n     = static_cast<int>(along.size());
-      const double size  = 1. / square.edge; // of the unit cell, in the square's units
+      const double size  = 1. / square.edge; // of the unit cell, over the square's
       const double area  = part.area() * size * size;
       double       x[max_points], y[max_points], weighted[max_points * max_points];
       for (int q = 0; q < n; ++q)
@@ -204,7 +212,8 @@ namespace strait
       quadrature.set.add_points(moments, n, x, y, weighted);
     }
 
-    /** Both sides of a line on which the gap bends, or else two halves. */
+    /** Return the parts on both sides of a line on which the gap bends, or else two
+     *  halves. */
     std::array<Part, 2>
     divide(const Part &part, const CellGap::Range &range) const
     {
@@ -221,7 +230,7 @@ namespace strait
       return parts;
     }
 
-    /** Whether halves beside each other are better than one above the other. */
+    /** Whether to divide into halves beside each other rather than above each other. */
     bool
     varies_more_along_x(const Part &part) const
     {
@@ -229,15 +238,15 @@ namespace strait
       const double y[2] = {part.start[1], part.start[1] + part.size[1]};
       double       g[4];
       gap.evaluate(2, x, y, g);
-      // Ratios, with contact a thousandth of the largest gap: half and double of it only
-      // matter where the gap closes along both axes.
+      // A thousandth of the largest gap is added, so that ratios are finite in contact.
+      // Half and double of it matter only where the gap closes along both axes.
       const double least = 1e-3 * *std::max_element(g, g + 4);
       const auto   ratio = [least](const double a, const double b) {
         return (std::max(a, b) + least) / (std::min(a, b) + least);
       };
       const double along_x = std::max(ratio(g[0], g[1]), ratio(g[2], g[3]));
       const double along_y = std::max(ratio(g[0], g[2]), ratio(g[1], g[3]));
-      // Both are equal where the gap is open at one corner only: rounding is not to
+      // Both are equal where the gap is open at one corner only: rounding must not
       // decide.
       return along_x > (1 + rounding) * along_y ||
              (along_x >= (1 - rounding) * along_y && part.size[0] > part.size[1]);

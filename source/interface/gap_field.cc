@@ -11,7 +11,7 @@ namespace strait
     , grid_rows{layout->grid(), {fluid.interpolation, fluid.direction}, 0, {}}
     , quadrature(fluid)
     , is_rigorous(fluid.rigorous_bounds)
-    , conductivity_of_one(1. / (12. * fluid.viscosity))
+    , unit_gap_conductivity(1. / (12. * fluid.viscosity))
     , halvings(fluid.mesh_file.empty() ? layout->grid().n_halvings() : 0)
   {
   }
@@ -19,7 +19,7 @@ namespace strait
   CoefficientLaw
   GapField::law(const Coefficient coefficient) const
   {
-    CoefficientLaw law{conductivity_of_one,
+    CoefficientLaw law{unit_gap_conductivity,
                        floor_value,
                        coefficient != Coefficient::conductivity &&
                          coefficient != Coefficient::largest_conductivity};
@@ -46,13 +46,13 @@ namespace strait
   double
   GapField::gap_of(const double conductivity) const
   {
-    // The factor of a rarefied gas falls no faster than 1/gap: the cubic root divides
+    // The factor of a rarefied gas falls no faster than 1/gap, so each cubic root divides
     // the error by three or more. After that many rounds it is 10⁻⁶.
-    double gap = std::cbrt(conductivity / conductivity_of_one);
+    double gap = std::cbrt(conductivity / unit_gap_conductivity);
     if (rarefied)
       for (int round = 0; round < 14; ++round)
         gap =
-          std::cbrt(conductivity / conductivity_of_one / rarefied->middle_weight(gap));
+          std::cbrt(conductivity / unit_gap_conductivity / rarefied->middle_weight(gap));
     return gap;
   }
 
@@ -64,7 +64,7 @@ namespace strait
     std::vector<int> wanted;
     const int        begin = layout().first_row(), n_rows = layout().n_rows();
     if (n_rows > 0)
-      // Around the cells of one that begins in the last row.
+      // Enough rows for the stencils in a pyramid cell that begins in the last own row.
       for (int row = begin - 1; row < begin + n_rows + (1 << finest) + 1; ++row)
         wanted.push_back(row);
     grid_rows.first_row = begin - 1;
@@ -112,7 +112,7 @@ namespace strait
         for (int row = first; row <= last; ++row)
           wanted.push_back(row);
       }
-    // The rows of this rank follow the one before them.
+    // grid_rows begins one row before those of this rank.
     const double *own_rows =
       grid_rows.rows.data() + (grid_rows.rows.empty() ? 0 : grid.nx);
     return {grid,

@@ -19,7 +19,7 @@ namespace strait
       return product > 0 ? 2. * product / (left + right) : 0.;
     }
 
-    /** What a number between grid lines can be. */
+    /** Bounds of a quantity along a stretch of the grid lines. */
     struct Interval
     {
       double low, high;
@@ -37,7 +37,7 @@ namespace strait
       return {limited_slope(left.low, right.low), limited_slope(left.high, right.high)};
     }
 
-    /** With these slopes at the ends. */
+    /** The cubic with these values and slopes at its ends. */
     GapInterpolant::Cubic
     hermite(const double start,
             const double slope_at_start,
@@ -51,7 +51,7 @@ namespace strait
               slope_at_start + slope_at_end - 2. * rise};
     }
 
-    /** The control polygon, on t0 <= t <= t1, of a cubic. */
+    /** The Bézier control polygon of a cubic on t0 <= t <= t1. */
     std::array<double, 4>
     control_polygon(const GapInterpolant::Cubic &cubic, const double t0, const double t1)
     {
@@ -136,11 +136,12 @@ namespace strait
     Interval line[4];
     for (int k = 0; k < 4; ++k)
       line[k] = {std::min(ends[k][0], ends[k][1]), std::max(ends[k][0], ends[k][1])};
-    // Between the lines the gap is between those on the lines.
+    // Between two grid lines the gap lies between its values on them.
     Range range{std::max(std::min(line[1].low, line[2].low), 0.),
                 std::max({line[1].high, line[2].high, 0.})};
-    // Lines that are equal at an end, as in contact, differ there by rounding, which is
-    // not to decide. Bends that are overlooked change the gap by a part of 1e-5.
+    // Where the gaps on two lines are equal at an end, as in contact, they differ by
+    // rounding, which must not decide. Bends that are overlooked change the gap by a
+    // relative 1e-5.
     double least = -1e-10 * range.highest * range.highest;
     for (int k = 0; k < 3; ++k)
       if (const double product =
@@ -186,7 +187,7 @@ namespace strait
       {
         const double *line =
           rows.data() + static_cast<std::size_t>(iy - first_row - 1 + b) * grid.nx;
-        // Remainders would take longer than all else that is done with the values.
+        // Remainders (%) would take longer than all else that is done with the values.
         for (int a = 0; a < 4; ++a)
           {
             const int i = ix + a - 1;

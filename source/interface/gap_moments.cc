@@ -29,7 +29,8 @@ namespace strait
         known[coefficient].of_window_cells.resize(window_values.size() * n_moments);
         integrals.push_back({law(coefficient), nullptr});
       }
-    // A window's cells are made of those of the windows in it, which come after it.
+    // A window's cells are made of those of the windows inside it, which come later in
+    // the list and are therefore integrated first.
     const auto &windows = layout().windows();
     for (int w = static_cast<int>(windows.size()) - 1; w >= 0; --w)
       for (int iy = 1; iy < windows[w].n_rows() - 2; ++iy)
@@ -48,8 +49,8 @@ namespace strait
         for (int j = first_own_row(exponent); j << exponent < end; ++j)
           for (int i = 0; i < layout().grid().nx >> exponent; ++i)
             cells.push_back({exponent, i, j});
-        std::vector<CellAnswers> moments(coefficients.size(),
-                                         CellAnswers(cells.size(), n_moments));
+        std::vector<CellMoments> moments(coefficients.size(),
+                                         CellMoments(cells.size(), n_moments));
         if (exponent == finest)
           for (std::size_t c = 0; c < cells.size(); ++c)
             {
@@ -65,7 +66,7 @@ namespace strait
                 children.push_back(cell.child(number));
             for (std::size_t k = 0; k < coefficients.size(); ++k)
               {
-                const CellAnswers of_children = ask(coefficients[k], children);
+                const CellMoments of_children = moments_on(coefficients[k], children);
                 for (std::size_t c = 0; c < children.size(); ++c)
                   moment_set().add_child(&moments[k](c / 4, 0),
                                          &of_children(c, 0),
@@ -89,7 +90,7 @@ namespace strait
                      const Square                   &square,
                      const std::vector<Integral>    &integrals) const
   {
-    // The lower left one of the 3 × 3 cells by which a window replaces this one.
+    // The lower left one of the 3 × 3 cells of a window that may replace this cell.
     const std::optional<GridPoint> first = layout().finer(cell);
     if (!first || first->ix + 2 == layout().windows()[first->window].n_columns() ||
         first->iy + 2 == layout().windows()[first->window].n_rows())
@@ -118,7 +119,7 @@ namespace strait
                    const GridCell   &cell,
                    double           *moments) const
   {
-    const std::vector<CellAnswers> &pyramid = known.at(coefficient).pyramid;
+    const std::vector<CellMoments> &pyramid = known.at(coefficient).pyramid;
     if (const int level = cell.exponent - finest;
         level >= 0 && level < static_cast<int>(pyramid.size()))
       {
@@ -158,9 +159,9 @@ namespace strait
   }
 
   void
-  GapField::answer(const Coefficient coefficient,
-                   const GridCell   &cell,
-                   double           *moments) const
+  GapField::moments_of_own(const Coefficient coefficient,
+                           const GridCell   &cell,
+                           double           *moments) const
   {
     if (cell.exponent >= finest || !is_rigorous)
       {
@@ -177,20 +178,22 @@ namespace strait
     std::copy(found.begin(), found.end(), moments);
   }
 
-  CellAnswers
-  GapField::ask(const Coefficient coefficient, const std::vector<GridCell> &cells) const
+  CellMoments
+  GapField::moments_on(const Coefficient            coefficient,
+                       const std::vector<GridCell> &cells) const
   {
-    interruption_point(); // once a mesh
+    interruption_point(); // at least once per mesh
     if (known.count(coefficient) == 0)
       {
-        // All but conductivity and resistivity.
+        // Forget all but conductivity and resistivity, which come first.
         known.erase(known.upper_bound(Coefficient::resistivity), known.end());
         build({coefficient});
       }
     using dealii::Utilities::MPI::some_to_some;
     const std::size_t n_moments = moment_set().size();
-    CellAnswers       answers(cells.size(), n_moments);
-    // Of the ranks that own cells: these, three numbers each, and their positions.
+    CellMoments       answers(cells.size(), n_moments);
+    // For each rank that owns cells: these cells, three numbers each, and their positions
+    // in the list.
     std::map<unsigned int, std::vector<int>>         questions;
     std::map<unsigned int, std::vector<std::size_t>> positions;
     for (std::size_t c = 0; c < cells.size(); ++c)
@@ -199,7 +202,7 @@ namespace strait
         const int owner             = layout().owner_of_row(first_grid_row(cells[c]));
         if (owner == layout().rank())
           {
-            answer(coefficient, cells[c], &answers(c, 0));
+            moments_of_own(coefficient, cells[c], &answers(c, 0));
             continue;
           }
         std::vector<int> &question = questions[owner];
@@ -212,9 +215,9 @@ namespace strait
         std::vector<double> &reply = replies[asker];
         reply.resize(question.size() / 3 * n_moments);
         for (std::size_t q = 0; q < question.size() / 3; ++q)
-          answer(coefficient,
-                 {question[3 * q], question[3 * q + 1], question[3 * q + 2]},
-                 &reply[q * n_moments]);
+          moments_of_own(coefficient,
+                         {question[3 * q], question[3 * q + 1], question[3 * q + 2]},
+                         &reply[q * n_moments]);
       }
     for (const auto &[owner, reply] : some_to_some(layout().communicator(), replies))
       for (std::size_t q = 0; q < positions[owner].size(); ++q)

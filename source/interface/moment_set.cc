@@ -7,7 +7,7 @@ namespace strait
 {
   namespace
   {
-    /** Powers of x from 0 to 8, the highest that a moment of degree 2 needs. */
+    /** The powers of x from 0 to 8, the highest one that degree 2 needs. */
     std::array<double, 9>
     powers_of(const double x)
     {
@@ -38,7 +38,7 @@ namespace strait
   std::vector<MomentSet::Transfer>
   MomentSet::transfers(const double x0, const double y0, const double edge) const
   {
-    // The coordinate x of a part lies at x0 + edge·x of the cell: expand the power.
+    // Coordinate x of the part is x0 + edge·x in the cell: expand its powers.
     constexpr double binomial[5][5] = {
       {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
     const auto of_x0 = powers_of(x0), of_y0 = powers_of(y0), of_edge = powers_of(edge);
@@ -79,7 +79,7 @@ namespace strait
     const int highest = 2 * static_cast<int>(element_degree);
     for (int j = 0; j < n; ++j)
       {
-        double in_row[5] = {}; // of x^a
+        double in_row[5] = {}; // sums of weight·x^a
         for (int i = 0; i < n; ++i)
           {
             double value = weights[j * n + i];

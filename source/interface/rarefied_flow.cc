@@ -8,7 +8,8 @@ namespace strait
 {
   namespace
   {
-    // What stands for the error of tables, in the gap and in the pressure, in bounds.
+    // Relative allowance, in the bounds, for the errors of the tables in the gap and in
+    // the pressure.
     constexpr double margin = 3e-5;
 
     std::vector<double>
@@ -20,11 +21,13 @@ namespace strait
     }
 
     /**
-     * The best potential Ψ for one of the bounds, found by what is the dual problem, to
-     * place the parts at pressures such that the most flows, or the least; as a factor of
-     * Ψ' for the reference gap that is linear in its Ψ between nodes: the factors there.
-     * Nodes are where the reference's Ψ is @p potentials, from 0 to 1, and the weights of
-     * the @p parts there are @p weights[part][node].
+     * Find the potential Ψ that makes one of the bounds closest: the upper one if
+     * @p is_largest. It follows from the dual problem, which is to place the parts of the
+     * path at such pressures that the most flows, or the least for the lower bound. Ψ' is
+     * that of the reference gap times a factor that is linear in the reference's Ψ
+     * between nodes. The nodes lie where this Ψ, from 0 to 1, is @p potentials, and
+     * @p weights[part][node] are the weights of the @p parts there.
+     * @return the factors at the nodes.
      */
     std::vector<double>
     best_factors(const std::vector<PathPart>            &parts,
@@ -45,7 +48,8 @@ namespace strait
       std::vector<double> trial(n, 1.), best;
       double              best_bound = sign * std::numeric_limits<double>::infinity();
 
-      // Compare what flows through the parts in a row with the extremes of their weights.
+      // Bound what flows through the parts in series by the extremes of weight over
+      // factor.
       const auto keep_if_better = [&]() {
         double drive = 0., resistance = 0.;
         for (std::size_t i = 0; i < n; ++i)
@@ -68,8 +72,9 @@ namespace strait
           factor /= drive;
       };
 
-      // A part goes to where its factor over weight is extreme, within the temperature,
-      // and raises or lowers the factor there by what it is too crowded.
+      // Spread each part over the nodes where its weight over the factor is extreme, like
+      // a Boltzmann distribution at this temperature. Then raise (for the lower bound:
+      // lower) the factor where more resistance has gathered than on average.
       const auto relax = [&](const double temperature) {
         std::vector<double>       loads(n, 0.), places(n);
         const std::vector<double> log_trial = logarithms(trial);
@@ -89,15 +94,15 @@ namespace strait
                 total += load;
               }
           }
-        // Where nothing is, any small load will do.
+        // On nodes without load any small value will do.
         for (std::size_t i = 0; i < n; ++i)
           trial[i] *= std::pow(std::max(loads[i] / (total * lengths[i]), temperature),
                                sign * temperature);
       };
 
       keep_if_better();
-      // Half as many rounds leave bounds that are further apart by 2·10⁻⁴ of the leak
-      // rate, twice as many gain less than 10⁻⁴ in twice the time.
+      // With half as many rounds the bounds are further apart by 2·10⁻⁴ of the leak rate;
+      // twice as many gain less than 10⁻⁴ in twice the time.
       constexpr int rounds = 20;
       for (const double temperature : {.03, .01, .003})
         for (int round = 0; round < rounds; ++round)
@@ -138,7 +143,7 @@ namespace strait
     , reference_gap(median_gap(parts))
     , mean_pressure(fluid.mean_pressure())
     , total_drive(gas.drive(reference_gap, low, high))
-    , falls(fluid.inlet_pressure > fluid.outlet_pressure)
+    , pressure_falls(fluid.inlet_pressure > fluid.outlet_pressure)
   {
     tabulate_potential();
     const double middle = pressure(.5);
@@ -153,7 +158,7 @@ namespace strait
   }
 
   double
-  RarefiedFlow::least_of_two(const double viscous, const double molecular) const
+  RarefiedFlow::two_gas_lower_bound(const double viscous, const double molecular) const
   {
     const double mixed = 2. / 3. * (std::pow(high, 1.5) - std::pow(low, 1.5));
     const double a     = .5 * (high * high - low * low) * viscous;
@@ -177,10 +182,9 @@ namespace strait
       }
     const std::vector<double> factors =
       best_factors(parts, weights, potentials, is_largest);
-    // The extremes are close to these pressures, unless the mobility varies with the
-    // logarithm of the pressure, where they need others in between, down to where nothing
-    // is left of the pressure. With steps twice as large the bounds miss 2·10⁻⁵ of the
-    // leak rate.
+    // The extremes lie close to the nodes, unless the mobility varies with the logarithm
+    // of the pressure. Then samples are needed between them, down to a negligible
+    // pressure. With steps twice as large the bounds are off by 2·10⁻⁵ of the leak rate.
     constexpr double    step = 1.15, lowest = std::numeric_limits<double>::epsilon();
     std::vector<double> samples{low};
     std::vector<double> values{gas.mobility(reference_gap, low) * factors[0]};
@@ -207,11 +211,11 @@ namespace strait
   void
   RarefiedFlow::tabulate_potential()
   {
-    // Closer and closer to the lower pressure, where a mobility may vary with the
-    // logarithm of the pressure. Half and double of it move the bounds by 2·10⁻⁴ of the
+    // The nodes crowd towards the lower pressure, where the mobility may vary with the
+    // logarithm of the pressure. Half and double of n move the bounds by 2·10⁻⁴ of the
     // leak rate.
     constexpr int n = 128;
-    // Of differences that may all vanish only ratios are taken.
+    // Take ratios of mean mobilities, as the differences of Ψ themselves may all vanish.
     const double mean_mobility = gas.mean_mobility(reference_gap, low, high);
     double       part = 0., p = low, potential = 0.;
     for (int i = 0; i <= n; ++i)
@@ -236,12 +240,12 @@ namespace strait
   double
   RarefiedFlow::pressure(const double potential) const
   {
-    const double value = falls ? potential : 1. - potential;
+    const double value = pressure_falls ? potential : 1. - potential;
     const auto   above =
       std::clamp(std::upper_bound(potentials.begin(), potentials.end(), value),
                  potentials.begin() + 1,
                  potentials.end() - 1);
-    // The cubic with the slopes at both ends.
+    // The cubic Hermite polynomial between two nodes.
     const auto   i     = static_cast<std::size_t>(above - potentials.begin());
     const double width = potentials[i] - potentials[i - 1];
     const double t     = std::clamp((value - potentials[i - 1]) / width, 0., 1.);
@@ -262,9 +266,9 @@ namespace strait
     std::sort(steps.begin(), steps.end(), [](const auto &a, const auto &b) {
       return a.gap < b.gap;
     });
-    // Of the path's resistance at most, unless a single step has more. Parts twice as
-    // large leave bounds that are further apart by 2·10⁻⁴ of the leak rate, half as large
-    // ones gain less than 10⁻⁴ in twice the time.
+    // The largest share of the path's resistance in a part, unless a single step has
+    // more. With parts twice as large the bounds are further apart by 2·10⁻⁴ of the leak
+    // rate; parts half as large gain less than 10⁻⁴ in twice the time.
     constexpr double      fraction = 1. / 32;
     std::vector<PathPart> parts;
     for (const PathPart &step : steps)

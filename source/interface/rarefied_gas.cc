@@ -12,7 +12,7 @@ namespace strait
 {
   namespace
   {
-    // The solution of the BGK equation at δ = 2^(first_exponent + k/2).
+    // Q_P by the BGK equation at δ = 2^(first_exponent + k/2).
     constexpr double                 first_exponent = -13.;
     constexpr std::array<double, 36> solution       = {
             {5.445357, 5.250961, 5.056922, 4.863336, 4.670323, 4.478037, 4.286667, 4.096450,
@@ -33,7 +33,7 @@ namespace strait
   double
   RarefiedGas::poiseuille_coefficient(const double delta)
   {
-    // Q_P of the table less that of viscous flow.
+    // Q_P of the table minus that of viscous flow.
     static const auto excess = []() {
       auto result = solution;
       for (std::size_t k = 0; k < result.size(); ++k)
@@ -45,7 +45,7 @@ namespace strait
       return solution.front() - std::log(2.) / std::sqrt(M_PI) * .5 * place;
     if (place >= solution.size() - 1.) // the expansion in 1/δ
       return delta / 6. + 1.016191 + (1.0653 - 2.1354 / delta) / delta;
-    // The cubic through four neighbours of the excess, which has no more than a bend.
+    // The cubic through four neighbours of the excess, which has no more than one bend.
     const auto k =
       std::clamp<std::size_t>(static_cast<std::size_t>(place), 1, solution.size() - 3);
     const double t = place - static_cast<double>(k);
@@ -60,7 +60,7 @@ namespace strait
   {
     if (kind != Rarefaction::transitional)
       return p + (kind == Rarefaction::slip ? 6. * scale * slip / gap : 0.);
-    // In a vacuum the coefficient has no end.
+    // In a vacuum Q_P is infinite.
     constexpr double least = std::numeric_limits<double>::min();
     return 6. * scale / gap * poiseuille_coefficient(std::max(p * gap / scale, least));
   }
@@ -70,8 +70,8 @@ namespace strait
   {
     if (kind != Rarefaction::transitional)
       return mobility(gap, .5 * (low + high));
-    // In t with p = low + (high − low) t⁴, which tames the logarithm at
-    // vacuum. These points miss 5·10⁻⁷ of the result, half as many 3·10⁻⁶.
+    // Integrate over t with p = low + (high − low) t⁴, which tames the logarithm at
+    // vacuum. The relative error of these points is 5·10⁻⁷, that of half as many 3·10⁻⁶.
     const auto integrand = [&](const double t) {
       return 4. * t * t * t * mobility(gap, low + (high - low) * std::pow(t, 4));
     };

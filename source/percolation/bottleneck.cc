@@ -13,8 +13,9 @@ namespace strait
 {
   namespace
   {
-    /** Steps from the point that is @p start on its owner to the nearest one that is open
-     *  if it is closed, or closed if it is open; 0 if there is none. Collective. */
+    /** Number of steps from a point, @p start on its owner and none elsewhere, to the
+     *  nearest closed one if @p is_open, else to the nearest open one; 0 if none exists.
+     *  Collective. */
     int
     steps_to_other_side(const FlowLattice &lattice,
                         const std::size_t  start,
@@ -37,7 +38,7 @@ namespace strait
   Bottleneck
   find_bottleneck(const SlabField &openness, const FlowDomain &domain)
   {
-    // Ways cost as much as they are closed at their worst.
+    // The cost of a path is minus its smallest openness.
     const FlowLattice        lattice(openness, domain);
     LatticeSearch            search(lattice, 4);
     const LatticeSearch::End end = search.run(
@@ -48,13 +49,13 @@ namespace strait
       },
       [&](const std::size_t k) { return lattice.is_outlet(k); });
 
-    // Where the walls are apart a gap is infinite.
+    // +infinity: no path. Between parted walls the gap is infinite, the cost −infinity.
     constexpr double nowhere = LatticeSearch::infinity;
     if (end.cost == nowhere)
       throw InputError(
         "The contact grid is too coarse for Fluid/Mesh: no chain of grid points leads "
         "from the inlet to the outlet; raise Contact/Grid points.");
-    // The first of the points whose value it is.
+    // Several points may have this value; the first is the same on any number of ranks.
     double first = nowhere;
     for (std::size_t k = 0; k < lattice.size(); ++k)
       if (lattice.is_own(k) && -lattice[k] == end.cost && search.cost(k) == end.cost)
@@ -75,8 +76,8 @@ namespace strait
   {
     const PeriodicGrid &grid = layout.grid();
     const auto [x, y]        = layout.position(point.window, point.ix, point.iy);
-    // Windows may cross the seams of the box; a point on one counts as that at the far
-    // end of the period, where the outlet is.
+    // A window may cross the seams of the box; a point on a seam is placed at the far end
+    // of the period, where the outlet is.
     const auto within = [](const double at, const double period) {
       return at - period * (std::ceil(at / period - rounding) - 1.);
     };

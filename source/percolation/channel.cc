@@ -11,8 +11,8 @@ namespace strait
 {
   namespace
   {
-    /** What the points are to the fluid if those on the seam leak that do so at the
-     *  outlet. */
+    /** The states of the points, where a point on the seam also percolates if its copy at
+     *  the outlet does. */
     std::vector<NodeState>
     states_of_both_ends(const SlabLayout &layout, const Clusters &clusters)
     {
@@ -23,13 +23,13 @@ namespace strait
       return states;
     }
 
-    /** Close what is outside of a region and far from what percolates in it. */
+    /** Close the points outside a region that are far from all percolating ones. */
     void
     close_far_outside(SlabField &gap, const Clusters &clusters)
     {
-      // Points outside the outline, in spacings, from which the interpolant of an open
-      // cell may take values. Half of it would change the gap at the outline, double of
-      // it only keeps values that nobody reads.
+      // How far outside the outline, in spacings, the interpolant of an open cell may
+      // take values. Half of it would change the gap at the outline; double of it only
+      // keeps values that nothing reads.
       constexpr int reach = 2;
       SlabField     leaks(gap.layout_pointer());
       for (std::size_t k = 0; k < leaks.size(); ++k)
@@ -51,9 +51,9 @@ namespace strait
       });
     }
 
-    /** Raise what is closed to no less than minus the smallest open value around, on all
-     *  levels, such that the interpolant stays open for half a spacing around every open
-     *  point, however deep its neighbours are closed. */
+    /** Raise closed values to at least minus the smallest open value around them, on all
+     *  levels, so that the interpolant stays open for half a spacing around every open
+     *  point, however negative its neighbours are. */
     void
     limit_closed_values(SlabField &gap)
     {
@@ -114,12 +114,12 @@ namespace strait
   std::vector<Constriction>
   divide_into_constrictions(const std::vector<double> &gaps)
   {
-    // Half of it, that is any widening at all, counts the same throat as several; double
-    // of it several as one. It matters to the report only.
+    // Half of it, that is any widening at all, counts one throat as several; double of it
+    // several as one. It matters to the report, to windows and to the marking of cells.
     constexpr double          distinct = 1.5;
     const std::size_t         end      = gaps.size() - 1;
     std::vector<Constriction> result   = {{0, end, 0}};
-    std::size_t               widest   = 0; // from the narrowest point on
+    std::size_t               widest   = 0; // since the narrowest point
     for (std::size_t k = 1; k < gaps.size(); ++k)
       {
         Constriction &here = result.back();
@@ -153,12 +153,12 @@ namespace strait
           };
           if (std::any_of(result.begin(), result.end(), is_here))
             continue;
-          // Of the drop along its path, and less where less flows along that.
+          // The share of the drop along its path, scaled by the flow along the path.
           const double fraction =
             (path.resistances[c.last] - path.resistances[c.first]) / path.resistance() *
             (channel.paths.front().resistance() / path.resistance());
-          // A throat on the seam goes on beyond, where the channel's own gap may be
-          // closed.
+          // Measured in the contact's gap: a throat on the seam continues beyond it,
+          // where the channel's own gap may be closed.
           result.push_back(
             {point, fraction, measure_throat(gap, slip_length, point).points});
         }

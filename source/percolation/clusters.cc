@@ -11,44 +11,43 @@ namespace strait
 {
   namespace
   {
-    /** The first of a set of numbers that @p k is in, each of which leads to one before
-     * it in that set; the way there is shortened. */
+    /** Find the first number of the set that @p k is in (union–find): each number leads
+     *  to an earlier one of its set. The chain from @p k is shortened on the way. */
     std::int64_t
-    first_of(std::vector<std::int64_t> &before, std::int64_t k)
+    root_of(std::vector<std::int64_t> &parent, std::int64_t k)
     {
-      while (before[k] != k)
-        k = before[k] = before[before[k]];
+      while (parent[k] != k)
+        k = parent[k] = parent[parent[k]];
       return k;
     }
 
     void
-    join(std::vector<std::int64_t> &before, const std::int64_t a, const std::int64_t b)
+    join(std::vector<std::int64_t> &parent, const std::int64_t a, const std::int64_t b)
     {
-      const std::int64_t first_of_a            = first_of(before, a),
-                         first_of_b            = first_of(before, b);
-      before[std::max(first_of_a, first_of_b)] = std::min(first_of_a, first_of_b);
+      const std::int64_t first_of_a = root_of(parent, a), first_of_b = root_of(parent, b);
+      parent[std::max(first_of_a, first_of_b)] = std::min(first_of_a, first_of_b);
     }
 
-    /** The lattice points that this rank knows as sets that its open points make. */
+    /** The sets of joined open points that this rank knows, in the form of root_of(). */
     std::vector<std::int64_t>
     join_points(const FlowLattice &gap)
     {
-      std::vector<std::int64_t> before(gap.size());
-      std::iota(before.begin(), before.end(), 0);
+      std::vector<std::int64_t> parent(gap.size());
+      std::iota(parent.begin(), parent.end(), 0);
       for (std::size_t k = 0; k < gap.size(); ++k)
         if (gap[k] > 0)
           gap.for_each_step(k, 2, [&](const FlowLattice::Step &step) {
-            // Copies of the seam are joined to the points before them, not to each other.
+            // A copy of the seam is joined to the point before it, not to other copies.
             if (gap[step.point] > 0 && !gap.is_copy(step.from))
-              join(before, k, step.point);
+              join(parent, k, step.point);
           });
-      return before;
+      return parent;
     }
 
-    /** The clusters of open lattice points, of all ranks. */
+    /** The clusters of open lattice points over all ranks. */
     struct LatticeClusters
     {
-      /** Find those of @p gap. Collective. */
+      /** Find the clusters of @p gap. Collective. */
       explicit LatticeClusters(const FlowLattice &gap);
 
       /** The number of the cluster of point @p k, the same on all ranks; 0 if it is
@@ -56,66 +55,68 @@ namespace strait
       std::int64_t
       operator[](const std::size_t k) const
       {
-        return first[numbers[k]];
+        return cluster_of_part[part_of_point[k]];
       }
 
-      // What each point belongs to as far as this rank knows, and the first of such parts
-      // of all ranks that is of the same cluster.
-      std::vector<std::int64_t> numbers, first;
+      // `part_of_point`: the part of its cluster that this rank knows; 0 if the point
+      // is closed. `cluster_of_part`: the first part of the same cluster on any rank.
+      std::vector<std::int64_t> part_of_point, cluster_of_part;
     };
 
     LatticeClusters::LatticeClusters(const FlowLattice &gap)
-      : numbers(join_points(gap))
+      : part_of_point(join_points(gap))
     {
       const MPI_Comm comm = gap.communicator;
       std::int64_t   next = rank_in(comm) + 1;
       for (std::size_t k = 0; k < gap.size(); ++k)
         if (!(gap[k] > 0))
-          numbers[k] = 0;
-        else if (numbers[k] != static_cast<std::int64_t>(k))
-          numbers[k] = numbers[numbers[k]];
+          part_of_point[k] = 0;
+        else if (part_of_point[k] != static_cast<std::int64_t>(k))
+          part_of_point[k] = part_of_point[part_of_point[k]];
         else
           {
-            numbers[k] = next;
+            part_of_point[k] = next;
             next += n_ranks_in(comm);
           }
-      // What is the same point on several ranks.
+      // Pairs of parts on different ranks that have a point in common.
       std::vector<std::array<std::int64_t, 2>> same;
       const auto link = [&](const std::size_t k, const std::int64_t theirs) {
-        if (gap[k] > 0 && (same.empty() || same.back() != std::array{numbers[k], theirs}))
-          same.push_back({numbers[k], theirs});
+        if (gap[k] > 0 &&
+            (same.empty() || same.back() != std::array{part_of_point[k], theirs}))
+          same.push_back({part_of_point[k], theirs});
       };
-      gap.for_each_ghost(numbers, link);
-      const auto                windows = numbers.begin() + gap.levels.n_on_grid;
+      gap.for_each_ghost(part_of_point, link);
+      const auto                windows = part_of_point.begin() + gap.levels.n_on_grid;
       std::vector<std::int64_t> in_windows;
       if (rank_in(comm) == 0)
-        in_windows.assign(windows, numbers.end());
+        in_windows.assign(windows, part_of_point.end());
       in_windows = gather_all(comm, in_windows);
       for (std::size_t i = 0; i < in_windows.size(); ++i)
         link(gap.levels.n_on_grid + i, in_windows[i]);
 
-      first.resize(static_cast<std::size_t>(maximum(comm, static_cast<double>(next))));
-      std::iota(first.begin(), first.end(), 0);
+      cluster_of_part.resize(
+        static_cast<std::size_t>(maximum(comm, static_cast<double>(next))));
+      std::iota(cluster_of_part.begin(), cluster_of_part.end(), 0);
       for (const auto [a, b] : gather_all(comm, same))
-        join(first, a, b);
-      for (std::int64_t &cluster : first)
-        cluster = first[cluster];
+        join(cluster_of_part, a, b);
+      for (std::int64_t &cluster : cluster_of_part)
+        cluster = cluster_of_part[cluster];
     }
 
-    /** How many points of each cluster are there. Collective. */
+    /** The number of points of each cluster at inlet or outlet. Collective. */
     std::vector<double>
     n_points_at(const OutlineKind      kind,
                 const FlowLattice     &gap,
                 const LatticeClusters &clusters)
     {
-      std::vector<double> n(clusters.first.size());
+      std::vector<double> n(clusters.cluster_of_part.size());
       for (const std::size_t k : gap.points_at(kind))
         n[clusters[k]] += 1.;
       sum_in_place(gap.communicator, n);
       return n;
     }
 
-    /** What each cluster is to the fluid. Collective. */
+    /** The state of each cluster. Collective. */
     std::vector<NodeState>
     states_of(const LatticeClusters &clusters, const FlowLattice &gap)
     {
@@ -131,11 +132,11 @@ namespace strait
       return states;
     }
 
-    /** The least of the global numbers of each cluster's points. Collective. */
+    /** The smallest global number of each cluster's points. Collective. */
     std::vector<std::size_t>
     first_points(const LatticeClusters &clusters, const FlowLattice &gap)
     {
-      std::vector<std::size_t> mine(clusters.first.size(), FlowLattice::none);
+      std::vector<std::size_t> mine(clusters.cluster_of_part.size(), FlowLattice::none);
       for (std::size_t k = 0; k < gap.size(); ++k)
         if (gap.is_own(k))
           mine[clusters[k]] = std::min(mine[clusters[k]], gap.global_number(k));
@@ -146,8 +147,8 @@ namespace strait
       return result;
     }
 
-    /** The states at the points of a region, of copies across the seam that which carries
-     *  more. Collective. */
+    /** The states at the points of a region; of copies across the seam, that which comes
+     *  last in NodeState and thus carries most. Collective. */
     template <class StateAt>
     std::vector<NodeState>
     states_in_region(const StateAt       &state_at,
@@ -205,16 +206,17 @@ namespace strait
     std::vector<std::size_t> first; // point of each cluster
     if (tells_trapped)
       first = first_points(numbers, lattice);
+    clusters.states.reserve(open_gap.size());
     const SlabLayout &layout = open_gap.layout();
     layout.for_each_point([&](GridPoint point) {
-      if (point.window >= 0) // whose outermost points stand for those inside of them
+      if (point.window >= 0) // outermost points take the cluster of the next one inside
         {
           const ZoomWindow &window = layout.windows()[point.window];
           point.ix                 = std::clamp(point.ix, 1, window.n_columns() - 2);
           point.iy                 = std::clamp(point.iy, 1, window.n_rows() - 2);
         }
-      const std::size_t k = lattice.number_at(point); // on the seam that at the inlet
-      // On the outermost points of windows the gap itself may be closed.
+      const std::size_t k = lattice.number_at(point); // on the seam: at the inlet
+      // An outermost point of a window may be closed where the next one inside is open.
       const bool is_open = open_gap[clusters.states.size()] > 0;
       clusters.states.push_back(is_open ? state_at(k) : NodeState::closed);
       if (tells_trapped)

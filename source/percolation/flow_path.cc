@@ -18,7 +18,7 @@ namespace strait
       return g > 0 ? 1. / (g * g * g) : infinity;
     }
 
-    /** Searches for paths on the gap, and bars the way to later ones. All collective. */
+    /** Finds paths through the gap; blocks their throats to later ones. Collective. */
     class PathSearch
     {
     public:
@@ -30,8 +30,8 @@ namespace strait
       {
       }
 
-      /** The least-resistance path that avoids blocked points; empty if there is none of
-       *  no more than @p most. */
+      /** The path of least resistance that avoids blocked points; empty if there is none
+       *  with a resistance of @p most or less. */
       FlowPath
       run(const double most)
       {
@@ -46,13 +46,13 @@ namespace strait
         return end.cost < infinity ? trace_back(end.point) : FlowPath();
       }
 
-      /** Bar the throats of @p path to later searches. */
+      /** Block the throats of @p path to later searches. */
       void
       block_throats(const FlowPath &path)
       {
-        // A throat is where the resistivity is a twentieth of the bottleneck's or more.
-        // Half of that bars wider places, which other paths may share; double of it lets
-        // the next path run beside this one.
+        // A throat is where the resistivity is more than a twentieth of the bottleneck's.
+        // Half of that blocks wider places, which other paths may share; double of it
+        // lets the next path run beside this one.
         const double             threshold = .05 * resistivity(path.bottleneck_gap);
         std::vector<std::size_t> throats;
         for (std::size_t i = 0; i < path.points.size(); ++i)
@@ -73,13 +73,13 @@ namespace strait
       }
 
     private:
-      // How far around its points a throat is barred, in spacings: to the contact. The
-      // shortest bars a way through a gap between two points, and one around a corner. A
-      // throat of more than twice the longest is no throat.
+      // A throat is blocked around its points as far as the contact, within these limits
+      // in spacings. The shortest also blocks a path that slips between two points or
+      // around a corner. A throat wider than twice the longest is no throat.
       static constexpr double shortest = 3., longest = 32.;
 
-      /** How long ways are from @p starts, which are start(k) long there, up to @p most.
-       */
+      /** Measure how long paths from @p starts are, which begin with the length start(k);
+       *  those longer than @p most are left out. */
       template <class Start>
       static void
       measure(LatticeSearch                  &ways,
@@ -97,7 +97,7 @@ namespace strait
           most);
       }
 
-      /** Find how far it is from each point to the nearest closed one. */
+      /** Measure the distance to the nearest closed point, up to `longest` spacings. */
       void
       find_contact()
       {
@@ -125,7 +125,7 @@ namespace strait
         const double mean_ends = .5 * (resistivity(here) + resistivity(there));
         if (step.corner == FlowLattice::none && step.corner_2 == FlowLattice::none)
           return mean_ends * step.length;
-        // Two corners that merely touch are no channel.
+        // Two open points that merely touch at their corners are no channel.
         const auto at = [this](const std::size_t corner) {
           return corner == FlowLattice::none ? 0. : gap[corner];
         };
@@ -137,7 +137,7 @@ namespace strait
         return std::max(mean_ends, resistivity(middle)) * step.length;
       }
 
-      /** The way of the last search to the end with this global number. */
+      /** The path of the last search to the point with the global number @p end. */
       FlowPath
       trace_back(const std::size_t end) const
       {
@@ -147,10 +147,10 @@ namespace strait
           double      gap, resistance;
           std::size_t before; // global number
         };
-        std::vector<Stop> way; // backwards
+        std::vector<Stop> way; // from outlet to inlet
         for (std::size_t next = end; next != FlowLattice::none; next = way.back().before)
           {
-            // The owner of the next point follows the path as far as it is its own.
+            // The owner of the next point follows the path as far as it owns its points.
             std::vector<Stop> part;
             for (std::size_t k = gap.own_number(next); k != FlowLattice::none;)
               {
@@ -170,7 +170,7 @@ namespace strait
             path.gaps.push_back(stop->gap);
             path.resistances.push_back(stop->resistance);
           }
-        // Of points of the same gap the last one.
+        // The last one of points with the same gap.
         const auto narrowest =
           std::min_element(way.begin(), way.end(), [](const Stop &a, const Stop &b) {
             return a.gap < b.gap;
@@ -185,7 +185,7 @@ namespace strait
       std::vector<bool>  blocked;
       const double       spacing; // of the grid
 
-      std::optional<LatticeSearch> to_contact; // once there are throats to bar
+      std::optional<LatticeSearch> to_contact; // set once there are throats to block
     };
   } // namespace
 
@@ -194,9 +194,9 @@ namespace strait
                   const FlowDomain  &domain,
                   const unsigned int n_paths)
   {
-    // Paths of more resistance than that, over the first one's, carry no flow that
-    // counts, and a search that ends there is short. Half of it misses channels of half a
-    // percent of the flow, double of it searches for what no accuracy asks for.
+    // Resistance over that of the first path. Paths beyond it carry no flow that matters,
+    // and a search that ends there is short. Half of it misses channels with half a
+    // percent of the flow; double of it searches for more than any accuracy asks for.
     constexpr double      largest_ratio = 500.;
     std::vector<FlowPath> paths;
     if (n_paths == 0)

@@ -12,8 +12,9 @@ namespace strait
 {
   namespace
   {
-    /** Call @p visit(line, where) for each integer line from @p a0 to @p a1, half open
-     *  so that a chain of segments meets a line as often as it crosses it. */
+    /** Call visit(a, b) for the points of integer a on the segment from (a0, b0) to
+     *  (a1, b1). The range of a is half open, so that a chain of segments has a point on
+     *  a line as often as it crosses it. */
     template <class Visit>
     void
     cross_lines(const double a0,
@@ -27,25 +28,24 @@ namespace strait
         visit(line, b0 + (b1 - b0) * (line - a0) / (a1 - a0));
     }
 
-    /** The bits of FlowRegion for inlet and outlet, and others for walls. */
+    /** The bit of a kind of outline: those of FlowRegion for inlet and outlet. */
     constexpr std::uint8_t
     bit_of(const OutlineKind kind)
     {
       return static_cast<std::uint8_t>(2U << static_cast<unsigned int>(kind));
     }
 
-    /** Of the points of the doubled lattice, row by row: the bits of the kinds of outline
-     *  that a point lies on, and 1 if it lies inside; 0 for one outside. */
+    /** Mark the points of the lattice of half the spacing, row by row: 1 if a point lies
+     *  inside, and the bits of the kinds of outline on which it lies; 0 outside. */
     std::vector<std::uint8_t>
-    mark_doubled_lattice(const PeriodicGrid             &grid,
-                         const std::vector<OutlineEdge> &outline)
+    mark_half_spacings(const PeriodicGrid &grid, const std::vector<OutlineEdge> &outline)
     {
       const int                 n_x = 2 * grid.nx + 1, n_y = 2 * grid.ny + 1;
       std::vector<std::uint8_t> marks(static_cast<std::size_t>(n_x) * n_y, 0);
       const auto                index = [n_x](const int x, const int y) {
         return static_cast<std::size_t>(y) * n_x + x;
       };
-      // What lies inside, by the even–odd rule.
+      // Points inside, by the even–odd rule.
       std::vector<std::vector<double>> crossings(n_y);
       for (const OutlineEdge &e : outline)
         cross_lines(e.y0, e.y1, e.x0, e.x1, [&](const int y, const double x) {
@@ -83,12 +83,12 @@ namespace strait
       return marks;
     }
 
-    /** Where the outline crosses the link from a point to its right or upper neighbour:
-     *  how far on it, and of which kind it is. */
+    /** Where the outline crosses the link from a point to its right or upper neighbour,
+     *  by number of the link: distance from the point in spacings and kind of outline. */
     using LinkCrossings =
       std::map<std::size_t, std::vector<std::pair<double, OutlineKind>>>;
 
-    /** A link is numbered twice its point, and one more if it leads up. */
+    /** Find the crossings. Link 2 k leads from point k to the right, link 2 k + 1 up. */
     LinkCrossings
     find_crossings(const PeriodicGrid &grid, const std::vector<OutlineEdge> &outline)
     {
@@ -137,12 +137,12 @@ namespace strait
     flags.assign(static_cast<std::size_t>(width) * (grid.ny + 1), 0);
     static_assert(bit_of(OutlineKind::inlet) == at_inlet &&
                   bit_of(OutlineKind::outlet) == at_outlet);
-    // In units of half a spacing points and the middles between them are whole numbers.
+    // In units of half a spacing, points and midpoints have integer coordinates.
     const double             sx = 2. / grid.dx(), sy = 2. / grid.dy();
     std::vector<OutlineEdge> scaled;
     for (const auto &[x0, y0, x1, y1, kind] : outline)
       scaled.push_back({sx * x0, sy * y0, sx * x1, sy * y1, kind});
-    const std::vector<std::uint8_t> marks = mark_doubled_lattice(grid, scaled);
+    const std::vector<std::uint8_t> marks = mark_half_spacings(grid, scaled);
     const auto                      fine  = [&](const int x, const int y) {
       return marks[static_cast<std::size_t>(y) * (2 * grid.nx + 1) + x];
     };
@@ -167,7 +167,7 @@ namespace strait
         const std::size_t second   = first + (leads_up ? width : 1);
         if (is_inside(first) == is_inside(second))
           continue;
-        // The part of the outline that is nearest to the point inside.
+        // The crossing nearest to the point inside decides.
         std::sort(crossings.begin(), crossings.end());
         const OutlineKind kind =
           is_inside(first) ? crossings.front().second : crossings.back().second;
@@ -189,7 +189,7 @@ namespace strait
   bool
   FlowRegion::is_joined(std::size_t k, const int dx, const int dy) const
   {
-    // A link is kept at its left or lower end.
+    // A link is stored at its left or lower end.
     if (dx < 0)
       {
         if (k % width == 0)

@@ -38,7 +38,7 @@ namespace strait
     const int first_row = layout.first_row(), n_rows = layout.n_rows();
     if (n_rows == 0)
       return;
-    // Of a flow along y the outlet's copy of the first line follows the last one.
+    // If the flow is along y, the outlet's copy of the first line follows the last one.
     const bool has_copy   = !along_x && first_row + n_rows == ny;
     const bool has_before = along_x || first_row > 0;
     const bool has_after  = along_x || first_row + n_rows < ny;
@@ -63,8 +63,8 @@ namespace strait
         const bool begins_at_inlet = seam >= 0 && !ends_at_outlet;
         const int  first           = begins_at_inlet ? seam - 1 : 0;
         const int  end_of_part     = ends_at_outlet ? seam + 2 : n_columns;
-        // The first of the parent's columns that this part covers; on the grid, of those
-        // that begin at the inlet and end with its copy at the outlet.
+        // The first of the parent's columns that this part covers. Columns of the grid
+        // run from 0, at the inlet, to the period, its copy at the outlet.
         int along = (along_x ? window.x : window.y) + first / 3;
         if (window.parent < 0)
           {
@@ -100,7 +100,7 @@ namespace strait
     int l = 1;
     while (levels[l].window != window)
       ++l;
-    // Of two parts the first ends with the column on the seam and one beyond.
+    // The first of two parts ends one column after that on the seam.
     if (!levels[l].ends_at_outlet)
       return l;
     const int seam = levels[l].n_along - 2;

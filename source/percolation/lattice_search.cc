@@ -6,8 +6,8 @@ namespace strait
 {
   namespace
   {
-    // Values of a block and what a search keeps of them fit a processor's cache. With
-    // half of it a path at 4096² takes as long, with double of it a quarter longer.
+    // A block's values and what the search keeps for them fit a processor's cache. A path
+    // at 4096² points takes as long with half of it, and a quarter longer with double.
     constexpr std::size_t block_size = 32; // points along both axes
 
     std::size_t
@@ -42,7 +42,7 @@ namespace strait
   }
 
   void
-  LatticeSearch::improve(const std::size_t k, const double cost, const std::uint8_t step)
+  LatticeSearch::relax(const std::size_t k, const double cost, const std::uint8_t step)
   {
     costs[k]      = cost;
     last_steps[k] = step;
@@ -68,7 +68,7 @@ namespace strait
   {
     struct Finding
     {
-      std::size_t   point; // in the windows
+      std::size_t   point; // counted from the first point of the windows
       double        cost;
       std::uint64_t step;
     };
@@ -76,14 +76,14 @@ namespace strait
     const LatticeLevels &levels = lattice.levels;
     lattice.for_each_ghost(costs, [this](const std::size_t k, const double cost) {
       if (cost < costs[k])
-        improve(k, cost, start_of_way);
+        relax(k, cost, start_of_way);
     });
     std::vector<Finding> mine;
     for (const std::size_t k : found_in_windows)
       mine.push_back({k - levels.n_on_grid, costs[k], last_steps[k]});
     for (const Finding &found : gather_all(comm, mine))
       if (const std::size_t k = levels.n_on_grid + found.point; found.cost < costs[k])
-        improve(k, found.cost, static_cast<std::uint8_t>(found.step));
+        relax(k, found.cost, static_cast<std::uint8_t>(found.step));
     found_in_windows.clear();
     limit = minimum(comm, limit);
     return sum(comm, static_cast<long long>(blocks.size())) > 0;

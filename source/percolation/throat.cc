@@ -16,13 +16,13 @@ namespace strait
   {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-    /** The open gap at any position, on all levels. All ranks must ask for the same. */
+    /** The open gap at any position, on all levels. Collective. */
     struct GapAround
     {
       const SlabField                   &gap; // of the contact
       const SlabLayout                  &layout;
       double                             slip_length;
-      std::map<int, std::vector<double>> rows = {}; // of the grid that were asked for
+      std::map<int, std::vector<double>> rows = {}; // of the grid, fetched so far
 
       double
       at(const int window, const int ix, const int iy)
@@ -36,7 +36,7 @@ namespace strait
         return open_gap(row[((ix % nx) + nx) % nx], slip_length);
       }
 
-      /** The window of finest points around a position, −1 if there is none. */
+      /** The finest window around a position; −1 if there is none. */
       int
       window_at(const double x, const double y) const
       {
@@ -53,9 +53,9 @@ namespace strait
       }
 
       /**
-       * g^(2/3) at a position, which goes to zero linearly at the line of contact, and is
-       * interpolated between points of the finest level around it: by cubic polynomials
-       * where they are all open, bilinearly beside closed ones.
+       * g^(2/3) at a position, which falls to zero linearly at the contact line. It is
+       * interpolated between points of the finest level there: by cubic polynomials where
+       * they are all open, bilinearly beside closed ones.
        */
       double
       root_at(const double x, const double y)
@@ -73,7 +73,7 @@ namespace strait
       }
 
     private:
-      /** Of the point before a position, and of its neighbours: −1, 0, 1 and 2. */
+      /** Weights of the points −1, 0, 1 and 2; the position lies between 0 and 1. */
       using Weights = std::array<double, 4>;
 
       static Weights
@@ -85,7 +85,7 @@ namespace strait
                  (s + 1) * s * (s - 1) / 6}};
       }
 
-      /** Nothing if a point that counts is closed, unless @p with_closed. */
+      /** Interpolate; nothing if a point that counts is closed, unless @p with_closed. */
       std::optional<double>
       interpolate(const int      window,
                   const int      ix,
@@ -107,8 +107,7 @@ namespace strait
         return value;
       }
 
-      /** Column and row of a position among the points of a window or the grid, whole
-       *  numbers at points. */
+      /** Column and row of a position in a window or the grid, integers at points. */
       std::array<double, 2>
       indices(const int window, const double x, const double y) const
       {
@@ -128,8 +127,8 @@ namespace strait
       }
     };
 
-    /** How far from @p point the gap has doubled, along a straight line in direction @p
-     * u; not a number if it does not within half the box. */
+    /** The distance along the unit vector @p u at which the gap at @p point has doubled;
+     *  not a number if it closes first, or only beyond half the box's shorter side. */
     double
     doubling_length(GapAround                   &gap,
                     const GridPoint             &point,
@@ -145,7 +144,7 @@ namespace strait
       double       t0 = 0., g = g0;
       while (g > 0 && t0 < longest)
         {
-          // To the next position, which is the next point on lines along the grid.
+          // One step: to the next point, if the line runs along the grid.
           const auto [dx, dy] =
             layout.spacing(gap.window_at(origin[0] + t0 * u[0], origin[1] + t0 * u[1]));
           const double t1 = t0 + 1. / std::max(std::abs(u[0]) / dx, std::abs(u[1]) / dy);

@@ -13,9 +13,9 @@ namespace strait
 {
   namespace
   {
-    // A search begins on as few points as that each way: half of them know less of the
-    // critical load than the surface's slope does, double of them cost four times as
-    // much.
+    // Most points along the shorter side of the grid on which a search begins. Half of
+    // them tell less of the critical load than the slope of the surface does, double of
+    // them cost four times as much.
     constexpr int fewest_points = 256;
 
     double
@@ -24,18 +24,21 @@ namespace strait
       return std::abs((coarse.middle() - fine.middle()) / fine.middle());
     }
 
-    /** How far from @p found finer points may have it, by that of every @p second point
-     * and, if it is known, of every @p fourth one. Not a number where it is nowhere, or
-     * at the outlet's pressure, as the seal leaks by itself or stays open. */
+    /** Return how far, relative, the transition @p found may lie from that on finer
+     *  grids, estimated from that on every @p second point and, if not null, on every
+     *  @p fourth one. Not a number if there is no transition, because the seal leaks by
+     *  itself or stays open. */
     double
-    error_by(const Transition &second, const Transition *fourth, const Transition &found)
+    grid_error_from(const Transition &second,
+                    const Transition *fourth,
+                    const Transition &found)
     {
       if (!(found.lower < found.upper))
         return std::nan("");
       const double error = CoarserSeals::safety_factor * change(second, found);
       if (fourth == nullptr || !(second.middle() > 0.))
         return error;
-      // Had they only come near by chance it would be half of the change before.
+      // The last two may agree by chance: assume at least half of the change before.
       return std::max(error, .5 * change(*fourth, second));
     }
   } // namespace
@@ -45,8 +48,8 @@ namespace strait
   {
     if (!scene.contact.zoom.enabled && !scene.output.error_budget)
       return 0;
-    // Every fourth point may have other windows around throats, or have come another way,
-    // and tells no order.
+    // Every fourth point tells no order if it may have other windows around throats or
+    // have followed another path.
     return scene.contact.zoom.enabled || scene.depends_on_path() ? 1 : 2;
   }
 
@@ -70,16 +73,16 @@ namespace strait
       warn_of_unknown("Contact/Grid points must be even and 64 or more to be halved");
     const bool searches = scene.programme.find_threshold &&
                           scene.fluid.mesh_file.empty() && !scene.depends_on_path();
-    // Of a formula or a map nobody has told that it has no creases.
+    // A formula or a map may have unknown creases, for which a coarser grid is a test.
     const bool is_tested = searches && (scene.surface.kind == SurfaceKind::expression ||
                                         scene.surface.kind == SurfaceKind::file);
-    // Two transitions on a path may agree by chance.
+    // On a path the transitions on two grids may agree by chance: there is a third one.
     const int n_wanted =
       scene.output.error_budget && scene.depends_on_path() &&
           (scene.programme.find_threshold || scene.programme.find_blow_out)
         ? 2
         : std::max(n_compared_grids(scene), is_tested ? 1 : 0);
-    // Without the last level of windows, whose points are compared as well.
+    // Leave out the last level of windows, to compare their points as well.
     ContactParameters coarser = contact;
     coarser.zoom.points_along_throat /= 3.;
     SlabField coarse = heights;
@@ -154,9 +157,9 @@ namespace strait
           continue;
         const double load = seal->thresholds.front().middle();
         log.progress(format(": %.8g", load));
-        if (scene.depends_on_path()) // on which each begins as the grid itself does
+        if (scene.depends_on_path()) // each search begins like that of the grid itself
           continue;
-        // As far away as finer points may have it.
+        // The first step goes as far as finer points may shift the critical load.
         const double away = seal->thresholds.front().grid_error;
         const double step = std::max(std::isfinite(away) ? away : 0.,
                                      2. * scene.programme.threshold_tolerance);
@@ -166,7 +169,7 @@ namespace strait
   }
 
   void
-  CoarserSeals::find_error_of(Transition &critical_load) const
+  CoarserSeals::complete_grid_error(Transition &critical_load) const
   {
     const auto on_points = [&](const int halvings) {
       return size() < halvings
@@ -176,16 +179,16 @@ namespace strait
     const Transition *second = on_points(1);
     double           &error  = critical_load.grid_error;
     if (scene.depends_on_path() || scene.contact.zoom.enabled)
-      error +=
-        second == nullptr ? std::nan("") : error_by(*second, on_points(2), critical_load);
-    // Every fourth point may be too far from the next for the surface, and refutes none.
+      error += second == nullptr ? std::nan("")
+                                 : grid_error_from(*second, on_points(2), critical_load);
+    // Every fourth point may be too coarse for the surface, and refutes no estimate.
     else if (second != nullptr &&
              change(*second, critical_load) > safety_factor * second->grid_error)
-      error = std::max(error, error_by(*second, nullptr, critical_load));
+      error = std::max(error, grid_error_from(*second, nullptr, critical_load));
   }
 
   void
-  CoarserSeals::find_errors_of(std::vector<BlowOut> &blow_outs)
+  CoarserSeals::estimate_grid_errors(std::vector<BlowOut> &blow_outs)
   {
     if (!scene.output.error_budget || size() == 0)
       return;
@@ -198,9 +201,10 @@ namespace strait
         if (Transition *found = pressure_of(blow_outs[k]))
           {
             const bool has_fourth = coarse.size() > 1 && !coarse[1].empty();
-            found->grid_error     = error_by(*pressure_of(coarse[0][k]),
-                                         has_fourth ? pressure_of(coarse[1][k]) : nullptr,
-                                         *found);
+            found->grid_error =
+              grid_error_from(*pressure_of(coarse[0][k]),
+                              has_fourth ? pressure_of(coarse[1][k]) : nullptr,
+                              *found);
           }
     };
     compare([](BlowOut &found) { return &found.opening; });
@@ -215,16 +219,18 @@ namespace strait
   }
 
   void
-  CoarserSeals::go_on(const LoadStop &stop, const Transition *counted_from)
+  CoarserSeals::advance_to(const LoadStop   &stop,
+                           const Transition *reference_critical_load)
   {
     for (CoarserSeal &seal : seals)
       {
         Control control{stop.target, scene.fluid.inlet_pressure, stop.slip_length};
         if (const Transition *own = threshold_of(seal.thresholds, stop.slip_length);
-            own != nullptr && counted_from != nullptr && stop.is_reduced)
-          control.target *= own->middle() / counted_from->middle();
+            own != nullptr && reference_critical_load != nullptr && stop.is_reduced)
+          control.target *= own->middle() / reference_critical_load->middle();
         seal.state =
-          seal.path.go_on(stop, control, std::move(seal.state), Aim::leak_rate).state;
+          seal.path.advance_to(stop, control, std::move(seal.state), Aim::leak_rate)
+            .state;
       }
   }
 
@@ -243,7 +249,7 @@ namespace strait
       control.target = (1. - *reduced_load) * own->middle();
     SealState state =
       seal.path.model(control, seal.state ? &*seal.state : nullptr, Aim::leak_rate);
-    // What is counted from a critical load begins in the windows that it was found with.
+    // Reduced loads begin in the windows in which the critical load was found.
     if (!seal.thresholds.empty())
       return state.gap();
     seal.state = std::move(state);

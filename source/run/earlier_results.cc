@@ -52,8 +52,8 @@ namespace strait
       return files;
     }
 
-    /** What may change from one part of a run to the next: no number of a step depends
-     *  on it. A Seal is made of the steps of all patches. */
+    /** Whether a parameter may change from one part of a run to the next, because no
+     *  number of a step depends on it. A Seal is made of the steps of all patches. */
     bool
     may_change(const std::string &name)
     {
@@ -74,13 +74,14 @@ namespace strait
       return values;
     }
 
-    /** "which had NAME = VALUE …" of the scene in @p file; empty if it is @p scene. */
+    /** Return "which had NAME = VALUE …" of the scene in @p file, or why it cannot be
+     *  read; empty if it is @p scene. */
     std::string
     foreign_scene(const fs::path &file, const Scene &scene)
     {
       try
         {
-          // An earlier version may have had fewer parameters.
+          // Fill in the defaults of parameters that an earlier version did not have.
           const Scene       then = make_scene(lex_scene(text_of(file.string()),
                                                   file.string(),
                                                   file.parent_path().string()));
@@ -132,7 +133,7 @@ namespace strait
     const int  descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     const auto unlock     = [descriptor](const void *) { close(descriptor); };
     const std::shared_ptr<const void> lock(nullptr, unlock);
-    // Any other error is one of a file system without locks.
+    // Any other error means that the file system has no locks.
     require(descriptor < 0 || flock(descriptor, LOCK_EX | LOCK_NB) == 0 ||
               errno != EWOULDBLOCK,
             "Another run is writing into '" + folder +
@@ -166,7 +167,7 @@ namespace strait
       for (const fs::path &file : results_in(folder))
         {
           const std::string name = file.filename().string();
-          if (name == "log.txt" || name == "parameters.prm") // they tell of no number
+          if (name == "log.txt" || name == "parameters.prm") // not results
             continue;
           const fs::path    scene_of_results = fs::path(folder) / "parameters.prm";
           const std::string difference =

@@ -17,12 +17,12 @@ namespace strait
 {
   namespace
   {
-    /** The ranks of MPI_COMM_WORLD in groups that work beside each other. */
+    /** The ranks of MPI_COMM_WORLD in groups that work at the same time. */
     class RankGroups
     {
     public:
-      /** Groups of @p ranks_each ranks; empty: one of all ranks. Throws InputError if it
-       * does not divide the number of ranks. Collective. */
+      /** Make groups of @p ranks_each ranks, or one of all ranks if that is empty. Throws
+       *  InputError if it does not divide the number of ranks. Collective. */
       explicit RankGroups(const std::vector<int> &ranks_each)
       {
         const int my_rank = rank_in(MPI_COMM_WORLD);
@@ -52,7 +52,7 @@ namespace strait
       MPI_Comm comm   = MPI_COMM_NULL; // of this rank's group
     };
 
-    /** All of them, before they are run. */
+    /** List all realisations, not run yet. */
     std::vector<RealisationRow>
     list_realisations(const Scene &scene)
     {
@@ -66,7 +66,7 @@ namespace strait
       return all;
     }
 
-    /** That of a realisation of @p scene alone. */
+    /** Return the scene of one realisation of @p scene alone. */
     Scene
     scene_of(const RealisationRow &realisation, const Scene &scene)
     {
@@ -82,7 +82,7 @@ namespace strait
       set("Surface/Rotate", yes_or_no(turns));
       if (scene.surface.kind != SurfaceKind::self_affine && turns)
         {
-          // A surface turns with its frame, unless it is another draw of the same kind.
+          // The box turns with the surface, unless that is drawn anew for the same box.
           const auto &size = scene.surface.size;
           const auto &grid = scene.contact.grid_points;
           set("Surface/Size", to_text(size[1]) + ", " + to_text(size[0]));
@@ -97,20 +97,20 @@ namespace strait
       set("Output/Directory",
           scene.output.directory + "/realisation-" + std::to_string(realisation.number));
       Scene one      = make_scene(entries);
-      one.oversights = scene.oversights; // the Seal has an effect, for all together
+      one.oversights = scene.oversights; // Seal has an effect, on all together
       return one;
     }
 
-    /** The same on all ranks of @p comm. */
+    /** Whether there is a checkpoint; the same on all ranks of @p comm. Collective. */
     bool
     has_checkpoint(const Scene &scene, MPI_Comm comm)
     {
-      std::error_code   none; // what cannot be looked at is none
+      std::error_code   none; // a path that cannot be accessed counts as none
       const std::string path = scene.output.directory + "/checkpoint";
       return maximum(comm, std::filesystem::exists(path, none) ? 1. : 0.) > 0;
     }
 
-    /** Tell all ranks what @p root knows of what came of @p realisation. Collective. */
+    /** Broadcast the results of @p realisation from rank @p root. Collective. */
     void
     share(RealisationRow &realisation, const int root)
     {
@@ -128,7 +128,7 @@ namespace strait
       tell(realisation.stopped);
     }
 
-    /** Run @p scene, which is @p realisation alone, in this rank's group. */
+    /** Run @p scene, that of @p realisation alone, in this rank's group. */
     void
     run_alone(RealisationRow   &realisation,
               const Scene      &scene,
@@ -136,7 +136,7 @@ namespace strait
               const bool        is_quiet,
               const bool        resume)
     {
-      // One group alone has the screen.
+      // Only the first group writes to the screen.
       Log         log(groups.comm, is_quiet || groups.mine > 0);
       RunSummary &run = realisation;
       try
@@ -159,7 +159,7 @@ namespace strait
         }
       catch (const ComputationError &error)
         {
-          // The same on all ranks of the group, so they go on together.
+          // All ranks of the group catch the same error, and go on together.
           realisation.failure = error.what();
           run.status          = "failed";
           run.converged       = false;
@@ -192,7 +192,7 @@ namespace strait
     const auto lock = begin_results(scene, MPI_COMM_WORLD, log, resume);
     state.finished.reset();
     state.has_begun = true;
-    state.save(); // that it is these realisations
+    state.save(); // marks the folder as one of these realisations
     Table<RealisationRow> table = ensemble_table(scene);
     run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder, true); });
 
@@ -200,7 +200,7 @@ namespace strait
     std::size_t n_done        = 0;
     while (n_done < realisations.size())
       {
-        // As many as there are groups, at the same time.
+        // Run as many realisations at the same time as there are groups.
         const std::size_t  first = n_done;
         const std::size_t  end   = std::min(first + groups.number, realisations.size());
         std::vector<Scene> scenes;

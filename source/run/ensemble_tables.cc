@@ -8,7 +8,7 @@ namespace strait
   Table<RealisationRow>
   ensemble_table(const Scene &scene)
   {
-    // What fits say, which a script fills in.
+    // Results of fits, which a script fills in later.
     const auto            not_yet = [](const RealisationRow &) { return std::nan(""); };
     Table<RealisationRow> table("ensemble.csv",
                                 {"with the section `Realisations`",

@@ -9,20 +9,20 @@ namespace strait
 {
   namespace
   {
-    // Grid points along a throat. With half of it exponents pass that the grid spoils,
-    // with double of it results are doubted that a finer grid would hardly change.
+    // Grid points along a throat. Half of it lets exponents pass that the grid spoils,
+    // double of it doubts results that a finer grid would hardly change.
     constexpr double points_along_needed = 7.;
 
-    // An error δ of L_c spoils the local exponent at reduced loads below about 20 δ:
-    // there it changes ε, and by that the leak rate's slope, by a twentieth. With half of
-    // it a tenth would pass, with double of it a fortieth would be doubted.
+    // An error δ of L_c spoils the local exponent at reduced loads ε below about 20 δ:
+    // there it changes ε, and with it the slope of the leak rate, by a twentieth. Half of
+    // it lets a tenth pass, double of it doubts a fortieth.
     constexpr double load_errors_needed = 20.;
 
-    // Of the leak rate near the threshold, as the paper has it.
+    // Exponent of the leak rate near the threshold, from the paper.
     constexpr double leak_rate_exponent = 69. / 20;
 
-    /** By how much the leak rate through @p gap differs, relative, from that of
-     *  @p step. */
+    /** Return how much the leak rate through @p gap differs, relative, from that of
+     *  @p step. Collective. */
     double
     change_to(const SlabField &gap, const Step &step, const FluidParameters &fluid)
     {
@@ -39,8 +39,8 @@ namespace strait
                      CoarserSeals &coarser,
                      StepErrors   &errors)
     {
-      // On every second and every fourth point as far as there are such grids, over that
-      // on all; 0 if it seals there.
+      // Leak rates on every second and every fourth point, as far as there are such
+      // grids, over that on all points; 0 if the gap seals there.
       std::vector<double> leaks;
       for (int h = 1; h <= std::min(coarser.size(), n_compared_grids(scene)); ++h)
         {
@@ -50,14 +50,14 @@ namespace strait
                         by_reduced_load ? step.reduced_load : std::nullopt);
           leaks.push_back(gap ? 1. + change_to(*gap, step, scene.fluid) : std::nan(""));
         }
-      // Not a number where no coarser grid tells.
+      // Not a number if there is no coarser grid.
       const double first = leaks.empty() ? std::nan("") : 1. - leaks[0];
       double       error = CoarserSeals::safety_factor * std::abs(first);
       if (leaks.size() > 1 && leaks[0] != 0)
         {
           const double second = leaks[0] - leaks[1];
           const double order  = std::log2(std::abs(second / first));
-          // One order of magnitude more than that is no convergence but chance.
+          // Outside of these orders it is chance rather than convergence.
           if (second * first > 0 && order > .5 && order < 4.)
             {
               const double beyond = first / (std::exp2(order) - 1.);
@@ -72,7 +72,7 @@ namespace strait
 
   StepErrors
   assess_errors(const Step       &step,
-                const Transition *counted_from,
+                const Transition *reference_critical_load,
                 const Scene      &scene,
                 const double      rms_height,
                 const FlowStage  &flow,
@@ -98,16 +98,18 @@ namespace strait
     if (step.state.fluid)
       errors.items.push_back(
         {"fluid pressure on the wall", by_wall, "Fluid/Target accuracy"});
-    if (counted_from != nullptr)
+    if (reference_critical_load != nullptr)
       errors.items.push_back(
         {"critical load",
-         std::pow(1. + .5 * counted_from->relative_width() / *step.reduced_load,
+         std::pow(1. +
+                    .5 * reference_critical_load->relative_width() / *step.reduced_load,
                   leak_rate_exponent) -
            1.,
          "Load programme/Threshold tolerance"});
     if (n_compared_grids(scene) > 0)
       {
-        add_contact_grid(step, counted_from != nullptr, scene, coarser, errors);
+        add_contact_grid(
+          step, reference_critical_load != nullptr, scene, coarser, errors);
         errors.items.push_back({"gap interpolation",
                                 std::abs(flow.change_by_interpolation(*step.flow)),
                                 "Contact/Grid points"});

@@ -15,10 +15,10 @@ namespace strait
 {
   namespace
   {
-    /** A piece of the plane of z = 0 with the values of data sets at regular points. */
+    /** A regular grid of points on a rectangle in the plane z = 0, with data sets. */
     struct GridPiece
     {
-      std::string           path; // in the HDF5 file, with a slash at its end
+      std::string           path; // of its group in the HDF5 file, ending with a slash
       int                   nx, ny;
       std::array<double, 2> origin, spacing;
     };
@@ -27,13 +27,13 @@ namespace strait
     struct GridDataset
     {
       std::string name;
-      bool        is_whole = false; // of whole numbers of 4 bytes, else doubles
+      bool        is_whole = false; // 4-byte integers rather than doubles
     };
 
-    /** The text of an XDMF file (version 2, as ParaView reads it) beside the HDF5 file
-     *  @p file, with each of @p datasets at the points of @p pieces in the plane z = 0: a
-     *  slice of a three-dimensional grid, as ParaView lays a two-dimensional one out in
-     *  another plane. */
+    /** Return the text of an XDMF file (version 2, as ParaView reads it) that lies beside
+     *  the HDF5 file @p file and has all @p datasets on each of @p pieces. A piece is a
+     *  slice of a three-dimensional grid, because ParaView puts a two-dimensional one
+     *  into another plane than z = 0. */
     std::string
     grid_description(const std::string              &file,
                      const std::vector<GridPiece>   &pieces,
@@ -55,7 +55,7 @@ namespace strait
               << "  <Topology TopologyType=\"3DCoRectMesh\" Dimensions=" << shape
               << "/>\n"
               << "  <Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
-              // From the slowest index to the fastest; the first spacing does not matter.
+              // From the slowest index to the fastest; the spacing in z does not matter.
               << "    " << three_numbers << "0 " << piece.origin[1] << ' '
               << piece.origin[0] << "</DataItem>\n"
               << "    " << three_numbers << piece.spacing[0] << ' ' << piece.spacing[1]
@@ -77,8 +77,9 @@ namespace strait
       return out.str();
     }
 
-    /** The fields of a step in its window @p w of @p n_rows rows of @p n_columns points,
-     *  −1 for the grid, as data sets of @p group. Collective. */
+    /** Write the fields of a step in window @p w, or on the grid if @p w is −1, as data
+     *  sets of shape (@p n_rows, @p n_columns) to @p group, and return these.
+     *  Collective. */
     std::vector<GridDataset>
     write_fields(dealii::HDF5::Group    &group,
                  const Step             &step,
@@ -90,7 +91,7 @@ namespace strait
       const SlabLayout &layout = step.state.gap().layout();
       std::size_t       begin  = 0;
       hsize_t           first = layout.first_row(), n_here = layout.n_rows();
-      if (w >= 0) // all ranks hold the values, one of them writes
+      if (w >= 0) // all ranks hold the values, rank 0 writes them
         {
           begin  = layout.start_of_window(w);
           first  = 0;
@@ -120,8 +121,8 @@ namespace strait
       return datasets;
     }
 
-    /** The fields of a step on the grid and, in groups, in its windows, and a description
-     *  of each level for ParaView. Collective. */
+    /** Write the fields of a step on the grid and, in groups, in its windows, and an XDMF
+     *  file of each level for ParaView. Collective. */
     void
     write_levels(const std::string &directory, dealii::HDF5::File &file, const Step &step)
     {
@@ -133,7 +134,7 @@ namespace strait
         for (const NodeState state : step.flow->channel.clusters.states)
           labels.push_back(static_cast<int>(state));
       std::vector<GridDataset>              datasets; // the same in all windows
-      std::map<int, std::vector<GridPiece>> pieces;   // of the levels
+      std::map<int, std::vector<GridPiece>> pieces;   // by level
       for (int w = -1; w < static_cast<int>(windows.size()); ++w)
         {
           const int         level = w < 0 ? 0 : windows[w].level;
@@ -168,7 +169,7 @@ namespace strait
       });
     }
 
-    /** The group gap_distribution. Collective. */
+    /** Write the group gap_distribution. Collective. */
     void
     write_gap_distributions(dealii::HDF5::File &file,
                             const TheoryResult &theory,
@@ -177,7 +178,7 @@ namespace strait
       auto       group = file.create_group("gap_distribution");
       const auto write = [&](const std::string &name, const std::vector<double> &values) {
         auto dataset = group.create_dataset<double>(name, {values.size()});
-        if (rank_in(comm) == 0) // every rank knows them
+        if (rank_in(comm) == 0) // all ranks hold the values
           dataset.write_hyperslab(values, {0}, {values.size()});
         else
           dataset.write_none<double>();

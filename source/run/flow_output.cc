@@ -65,14 +65,15 @@ namespace strait
     dealii::DataOut<2> out;
     out.attach_dof_handler(dofs);
     out.add_data_vector(pressure, "fluid_pressure");
-    // That of a rarefied gas depends on its pressure; the linear problem's is none.
+    // The conductivity of a rarefied gas depends on its pressure; the coefficient of the
+    // linear problem is not that.
     if (std::isnan(step.flow->leakage.knudsen))
       out.add_data_vector(conductivity, "mean_conductivity");
     out.add_data_vector(level, "level");
     out.add_data_vector(leaks, "leaks");
     out.build_patches(step.flow->solution->mesh().mapping(), dofs.get_fe().degree);
     const std::string name = directory + "/flow-" + std::to_string(step.number);
-    // About what it takes, compressed; the library would print errors of its own.
+    // About the compressed size. Without this check deal.II would print its own errors.
     const std::uintmax_t bytes_per_cell =
       30 * dofs.get_fe().degree * dofs.get_fe().degree;
     require_space(name + ".vtu", bytes_per_cell * tria.n_global_active_cells(), comm);

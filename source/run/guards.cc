@@ -19,7 +19,7 @@ namespace strait
   {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-    /** The limit in a file that has nothing else, or a word if there is no limit. */
+    /** Read the limit from a file, which holds a word instead if there is none. */
     double
     limit_in(const char *path)
     {
@@ -28,7 +28,7 @@ namespace strait
       return file >> limit ? limit : unlimited;
     }
 
-    /** What the kernel could give to new processes without swapping. */
+    /** Memory that the kernel can give to new processes without swapping [bytes]. */
     double
     available_memory()
     {
@@ -45,9 +45,9 @@ namespace strait
   double
   memory_of_grid(const Scene &scene)
   {
-    // Bytes a grid point: fields of the contact while it is solved, and what it keeps for
-    // the flow, which takes two moment pyramids, the gap and the path search. One load of
-    // prm/paper/fig1_full.prm takes 64 on 4096² points where this says 68.
+    // Bytes per grid point: fields of the contact while it is solved, and those it keeps
+    // during the flow, which takes two moment pyramids, the gap and the path search. One
+    // load of prm/paper/fig1_full.prm takes 64 on 4096² points; the estimate is 68.
     const double gap      = 8.;
     const double of_metal = scene.contact.yields ? 24. : 0.;
     const double solved   = scene.contact.adhesion.enabled ? 113. : 44. + of_metal;
@@ -56,12 +56,12 @@ namespace strait
       2 * 8. / 12 * MomentSet(scene.fluid.element_degree).size() + 8. + 25.;
     const double of_flow =
       scene.fluid.enabled ? flow * (scene.has_two_boxes() ? 3. : 1.) : 0.;
-    // The pressures of the last rounds and the harmonic extension, beside contact and
-    // flow. Two loads of prm/pressurised_seal.prm take 240 on 1024² points, 58 without
-    // feedback.
+    // The pressures of the last rounds and the harmonic extension, in addition to contact
+    // and flow. Two loads of prm/pressurised_seal.prm take 240 on 1024² points, and 58
+    // without feedback.
     const double of_feedback = scene.fluid.feedback.enabled ? 190. : 0.;
-    // Windows near the critical load, and the coarser seal that tells their error: 193 in
-    // all on the 4096² points of prm/paper/fig2a.prm with 8 roll-off wavelengths.
+    // Windows near the critical load, and the coarser seal for their error: 193 in all on
+    // the 4096² points of prm/paper/fig2a.prm with 8 roll-off wavelengths.
     const double of_windows = scene.contact.zoom.enabled ? 125. : 0.;
     // The seals on every second and every fourth point: 23 to 36 on 1024² to 4096²
     // points.
@@ -81,8 +81,8 @@ namespace strait
       getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY
         ? static_cast<double>(limit.rlim_cur)
         : unlimited;
-    // What a container may take in all, by either version of control groups; what it has
-    // taken is mostly copies of files, which make room.
+    // The whole limit of a container, by either version of control groups. What it has
+    // already taken is mostly cached files, which make room.
     return std::min({available_memory(),
                      limit_in("/sys/fs/cgroup/memory.max"),
                      limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"),
@@ -90,7 +90,7 @@ namespace strait
   }
 
   double
-  most_memory(MPI_Comm comm)
+  peak_memory(MPI_Comm comm)
   {
     dealii::Utilities::System::MemoryStats stats;
     dealii::Utilities::System::get_memory_stats(stats);
@@ -124,7 +124,8 @@ namespace strait
   void
   require_bearable(const Scene &scene, const double load, const FluidParameters &fluid)
   {
-    if (scene.units.pressure.empty() || !scene.contact.enabled || !scene.contact.loads())
+    if (scene.units.pressure.empty() || !scene.contact.enabled ||
+        !scene.contact.is_load_controlled())
       return;
     const char *unit = scene.units.pressure.c_str();
     if (load > scene.contact.effective_modulus)
@@ -154,7 +155,7 @@ namespace strait
   {
     for (const double load : scene.programme.pressures)
       require_bearable(scene, load, scene.fluid);
-    // The value is in SI; the limits are the smallest and the largest of any seal.
+    // All in SI units; the limits are the smallest and the largest value of any seal.
     const auto check = [&log](const char  *name,
                               const double value,
                               const double smallest,
@@ -175,8 +176,8 @@ namespace strait
       for (const double side : scene.surface.size)
         check("Surface/Size",
               side * metres_in(scene.units.length).value_or(1.),
-              1e-8, // a few waves of a length of some atoms
-              .1,   // a wave of micrometres is no longer resolved
+              1e-8, // a few waves, each some atoms long
+              .1,   // waves of micrometres are no longer resolved
               "m");
     if (scene.units.pressure.empty())
       return;
@@ -191,15 +192,15 @@ namespace strait
       check("Fluid/Viscosity",
             scene.fluid.viscosity * pascals * *seconds_in(scene.units.time),
             1e-6, // hydrogen, cold: 5e-6
-            1e5,  // pitch is more, and flows in years
+            1e5,  // pitch is above, and takes years to flow
             "Pa s");
   }
 
   void
   check_slope(const Scene &scene, const double rms_slope, Log &log)
   {
-    // A rms slope of 1 is an angle of 45°; one of 10, of 84°, no surface has that a solid
-    // could be pressed onto, and heights and lengths are in different units.
+    // An rms slope of 1 is an angle of 45°. No surface onto which a solid can be pressed
+    // has one of 10, or 84°: its heights and lengths are in different units.
     constexpr double steep = 1., impossible = 10.;
     if (!scene.has_physical_modulus() || !(rms_slope > steep))
       return;

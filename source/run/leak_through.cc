@@ -10,11 +10,12 @@ namespace strait
 {
   namespace
   {
-    // Where the accuracy is that of the whole number: what the mesh may take of it. Half
-    // of it makes twice the cells, double of it leaves nothing to the gap.
+    // Share of the target accuracy for the mesh, with zoom, where the target is for all
+    // errors together. Half of it makes twice the cells, double of it leaves nothing for
+    // the gap.
     constexpr double fraction_of_mesh = .5;
 
-    /** Of walls that the fluid has parted: nothing limits the leak. */
+    /** Return the flow between walls that have lifted off: nothing limits the leak. */
     StepFlow
     unlimited_flow(const std::size_t n_points, const FluidParameters &fluid)
     {
@@ -27,8 +28,8 @@ namespace strait
       return flow;
     }
 
-    /** What the bracket of the leak rate in @p state may take of the target accuracy,
-     * when the fluid's pressure on the wall has taken its own. */
+    /** Return the share of the target accuracy that the bracket of the leak rate in
+     *  @p state may take, after that of the fluid's pressure on the wall. */
     double
     fraction_of_bracket(const SealState &state, const double target_accuracy)
     {
@@ -37,8 +38,8 @@ namespace strait
                          : 1.;
     }
 
-    /** Widen the bracket @p result of the leak rate in the gap of @p fluid by what the
-     *  fluid's pressure on the wall leaves uncertain of that gap. */
+    /** Widen the bracket in @p result, because the pressure of @p fluid on the wall
+     *  leaves the gap uncertain. */
     void
     allow_for_feedback(Leakage          &result,
                        const FluidState &fluid,
@@ -78,7 +79,7 @@ namespace strait
     PeriodicGrid grid = gap.grid();
     grid.nx *= 2;
     grid.lx *= 2.;
-    // Rows are dealt out by their number alone, so that each rank has its own twice.
+    // Rows are distributed by their number alone, so each rank doubles its own rows.
     SlabField two(make_layout(grid, gap.layout().communicator()));
     for (int row = 0; row < gap.layout().n_rows(); ++row)
       for (const int half : {0, 1})

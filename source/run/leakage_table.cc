@@ -9,7 +9,7 @@ namespace strait
 {
   namespace
   {
-    // Values of columns of fluid that is trapped, 0 where the walls have parted.
+    // Values of columns of trapped fluid, 0 where the walls have lifted off.
     const auto of_trapped = [](double TrappedFluid::*member) {
       return [member](const Step &step) {
         const std::optional<TrappedFluid> &trapped = step.state.fluid->trapped;

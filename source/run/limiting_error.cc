@@ -12,32 +12,33 @@ namespace strait
 {
   namespace
   {
-    /** What was found of throats on surfaces of one kind. */
+    /** What is known of the last throat on surfaces of one kind. */
     struct ThroatLaw
     {
       double critical_load; // over ContactParameters::pressure_scale()
-      double points;        // of the grid along a throat, over (1 − L/L_c)^0.58
+      double points;        // grid points along it, over (1 − L/L_c)^0.58
     };
 
-    /** Nothing for other surfaces. */
+    /** Return nothing for surfaces of other kinds. */
     std::optional<ThroatLaw>
     throat_law(const Scene &scene)
     {
       const PeriodicGrid grid    = grid_of(scene);
       const double       spacing = std::max(grid.dx(), grid.dy());
-      // Both numbers were computed.
+      // Both numbers are results of runs.
       if (scene.surface.kind == SurfaceKind::square_saddle)
         return ThroatLaw{.228605, .212 * scene.surface.size[0] / spacing};
-      // Of random critical loads the mean, 0.24, less one standard deviation: to be
-      // surprised by the threshold is worse than to be warned of it. Half and double of
-      // it would warn of nearly all loads, or of none.
+      // About the least of random critical loads, whose mean is 0.24: to be surprised by
+      // the threshold is worse than to be warned of it. Half and double of it would warn
+      // of nearly all loads, or of none.
       if (scene.surface.kind == SurfaceKind::self_affine)
         return ThroatLaw{.19, .65 * scene.surface.short_cut_off_wavelength / spacing};
       return {};
     }
 
-    /** The smallest 1 − L/L_c that the run visits; where the scene does not ask for it,
-     *  that of a @p critical load. Nothing if all loads seal. */
+    /** Return the smallest reduced load of the run: of the Reduced loads of the scene or,
+     *  without these, of the Pressures below the @p critical load. Return nothing if all
+     *  loads seal. */
     std::optional<double>
     smallest_reduced_load(const Scene &scene, const double critical)
     {
@@ -45,7 +46,7 @@ namespace strait
       if (!asked.empty())
         return *std::min_element(asked.begin(), asked.end());
       std::optional<double> smallest;
-      if (scene.contact.loads())
+      if (scene.contact.is_load_controlled())
         for (const double pressure : scene.programme.pressures)
           if (const double reduced = 1. - pressure / critical; reduced > 0)
             smallest = std::min(smallest.value_or(reduced), reduced);
@@ -59,8 +60,7 @@ namespace strait
     if (scene.contact.zoom.enabled)
       {
         // Nearer to the critical load the contact on the grid changes by a few points
-        // only: doc/zoom.md, which compares grids. Half of it trusts rows that miss
-        // their error.
+        // only; doc/zoom.md compares grids. Half of it trusts rows that miss their error.
         constexpr double points_nearest = 16.;
         return format(
           "windows follow the throat, so the largest error is not predicted: see "

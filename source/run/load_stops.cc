@@ -14,7 +14,7 @@ namespace strait
       scene.fluid.enabled ? scene.fluid.slip_lengths : std::vector<double>{0.};
     std::vector<double> targets =
       scene.contact.enabled ? scene.programme.pressures : std::vector<double>{0.};
-    if (scene.programme.path == LoadPath::cycle) // and back, without the last load
+    if (scene.programme.path == LoadPath::cycle) // and back, the last load only once
       for (auto k = static_cast<int>(targets.size()) - 2; k >= 0; --k)
         targets.push_back(targets[k]);
     std::vector<LoadStop> stops;
@@ -33,7 +33,7 @@ namespace strait
     };
     std::stable_sort(near_threshold.begin(), near_threshold.end(), comes_first);
     if (!near_threshold.empty())
-      near_threshold.front().begins_anew = true;
+      near_threshold.front().starts_new_path = true;
     stops.insert(stops.end(), near_threshold.begin(), near_threshold.end());
 
     const bool path_matters =
@@ -41,11 +41,12 @@ namespace strait
     bool loads = upwards;
     for (std::size_t k = 0; k < stops.size(); ++k)
       {
-        if (stops[k].begins_anew)
+        if (stops[k].starts_new_path)
           loads = upwards;
         else if (path_matters && k > 0 && stops[k].target != stops[k - 1].target)
-          // Mean gaps fall while the load grows.
-          loads = (stops[k].target > stops[k - 1].target) == scene.contact.loads();
+          // Under gap control, loading means that the mean gap falls.
+          loads =
+            (stops[k].target > stops[k - 1].target) == scene.contact.is_load_controlled();
         stops[k].branch = loads ? "loading" : "unloading";
       }
     return stops;
@@ -57,7 +58,8 @@ namespace strait
   {
   }
 
-  /** Whether loads that are counted from a critical one begin where its search ended. */
+  /** Whether steps at Reduced loads begin where the search for the critical load
+   *  ended. */
   bool
   SealPath::begins_where_search_ended() const
   {
@@ -68,32 +70,32 @@ namespace strait
   void
   SealPath::begin_after(SealSearch &search)
   {
-    // A channel that a fluid has opened is not closed again before the first step, the
-    // throat is seen on the points that it was lost on, and what opens again keeps its
-    // indentations; a path on which contacts alone remember begins without a past.
-    // Where a search for another transition goes on, the first step has its start.
-    if (!search.repeats() &&
+    // Begin where the search ended, so that a channel that the fluid has opened does not
+    // close before the first step, a throat keeps the windows in which it closed, and a
+    // contact that opens again keeps its indentations. Other paths begin without a past.
+    // If a resumed run has answers left to repeat, its checkpoint has the start.
+    if (!search.is_replaying() &&
         ((scene.fluid.feedback.enabled && !scene.contact.adhesion.enabled) ||
          begins_where_search_ended()))
       start = search.take_state();
   }
 
   Arrival
-  SealPath::go_on(const LoadStop          &stop,
-                  const Control           &control,
-                  std::optional<SealState> last,
-                  const Aim                aim)
+  SealPath::advance_to(const LoadStop          &stop,
+                       const Control           &control,
+                       std::optional<SealState> last,
+                       const Aim                aim)
   {
-    if (stop.begins_anew)
+    if (stop.starts_new_path)
       last.reset();
-    if (last && holds_under(control, *last)) // another slip length
+    if (last && holds_under(control, *last)) // only the slip length differs
       {
         last->control               = control;
         last->costs.contact_seconds = 0.;
         return {std::move(last), {}};
       }
-    // Windows shift the critical load a little, and indentations a lot: steps that are
-    // counted from it keep those that it was found with.
+    // Windows shift the critical load a little, and indentations a lot: steps at Reduced
+    // loads keep those with which it was found.
     const bool begins_at_start =
       !last || (begins_where_search_ended() && stop.is_reduced);
     const std::optional<SealState> &from = begins_at_start ? start : last;

@@ -53,8 +53,8 @@ namespace strait
       {
         done.converged = done.converged && threshold.converged;
         if (std::isinf(threshold.grid_error))
-          continue; // in a crease, as it has told
-        coarser.find_error_of(threshold);
+          continue; // in a crease, of which the search has warned
+        coarser.complete_grid_error(threshold);
         if (!std::isnan(threshold.grid_error))
           log.line(format("finer points may have the critical load %.2g %% from there",
                           100. * threshold.grid_error));
@@ -69,7 +69,7 @@ namespace strait
     const auto scope = timers.scope("blow-out");
     log.stage("blow-out pressure");
     std::vector<BlowOut> found = seal_search->find_blow_outs();
-    coarser.find_errors_of(found);
+    coarser.estimate_grid_errors(found);
     for (const BlowOut &blow_out : found)
       done.converged = done.converged && blow_out.opening.converged &&
                        (!blow_out.closing || blow_out.closing->converged);
@@ -97,7 +97,7 @@ namespace strait
           {
             const auto next_path =
               std::find_if(here + 1, stops.end(), [](const LoadStop &later) {
-                return later.begins_anew;
+                return later.starts_new_path;
               });
             const auto n_left_out = static_cast<int>(next_path - here);
             log.warn(
@@ -111,7 +111,7 @@ namespace strait
         if (scene.depends_on_path() && coarser.size() > 0)
           {
             const auto scope = timers.scope("errors");
-            coarser.go_on(stop, threshold_of(done.thresholds, stop.slip_length));
+            coarser.advance_to(stop, threshold_of(done.thresholds, stop.slip_length));
           }
         leak();
         judge(stop);
@@ -123,8 +123,7 @@ namespace strait
     return done.converged;
   }
 
-  /** Follow the path to the next stop. Returns whether the surfaces are still together.
-   */
+  /** Follow the path to @p stop. Return false if the surfaces part before. */
   bool
   LoadSweep::press(const LoadStop &stop)
   {
@@ -140,8 +139,10 @@ namespace strait
     std::optional<SealState> last;
     if (done.n_done > 0 && !step.state.gap().empty())
       last = std::move(step.state);
-    Arrival arrival =
-      path->go_on(stop, control, std::move(last), flow ? Aim::leak_rate : Aim::verdict);
+    Arrival arrival = path->advance_to(stop,
+                                       control,
+                                       std::move(last),
+                                       flow ? Aim::leak_rate : Aim::verdict);
     for (const Jump &jump : arrival.jumps)
       {
         log.line(describe(jump));
@@ -155,7 +156,7 @@ namespace strait
     if (!arrival.state)
       return false;
     step.state = std::move(*arrival.state);
-    // Where the fluid presses on the walls most of its flow is solved on the way.
+    // With wall feedback, most of the flow is solved on the way to the stop.
     step.flow_seconds =
       Timers::seconds_since(start_time) - step.state.costs.contact_seconds;
     return true;
@@ -182,7 +183,7 @@ namespace strait
     step.flow_seconds += Timers::seconds_since(start);
   }
 
-  /** Say how sure the step is, and what theory makes of it. */
+  /** Judge the step: doubts, theory, errors and limits of the model. */
   void
   LoadSweep::judge(const LoadStop &stop)
   {
@@ -191,7 +192,7 @@ namespace strait
       step.state.contact ? step.state.contact->nominal_pressure : 0.;
     step.doubts.clear();
     step.reduced_load.reset();
-    // What depends on its past closes at another load on the other branch.
+    // A seal that depends on its past has another critical load on the other branch.
     const bool is_of_branch =
       !scene.depends_on_path() ||
       (step.branch == "unloading") == (scene.programme.path == LoadPath::unloading);
@@ -237,7 +238,7 @@ namespace strait
     else
       end_searches();
     path->transfer(archive, layout);
-    if (!scene.contact.enabled) // a gap that is given has no past
+    if (!scene.contact.enabled) // a given gap has no past
       return;
     coarser.transfer(archive);
     if (done.n_done > 0)

@@ -15,7 +15,7 @@ namespace strait
   {
     using RunRecord = nlohmann::ordered_json; // members stay in their order
 
-    /** The quantities whose unit the plotting scripts ask for. */
+    /** Units of the quantities that the plotting scripts ask for. */
     RunRecord
     units_of_plots(const UnitParameters &units)
     {
@@ -26,7 +26,7 @@ namespace strait
               {"current", in_units_of("length²/time", units)}};
     }
 
-    /** Those of all tables of a run; a name has the same unit wherever it stands. */
+    /** Units of the columns of all tables; equal names have equal units. */
     RunRecord
     units_of_columns(const Scene &scene)
     {
@@ -67,7 +67,7 @@ namespace strait
         {
           RunRecord entry = {{"word", check.word},
                              {"number", check.number},
-                             {check.is_least ? "least" : "most", check.limit},
+                             {check.is_lower_limit ? "least" : "most", check.limit},
                              {"holds", check.holds()}};
           if (!check.holds())
             entry["advice"] = check.advice;
@@ -180,7 +180,7 @@ namespace strait
         record["column_units"] = units_of_columns(scene);
       }
     run_on_root(comm, [&]() {
-      // Names of files may be no text.
+      // Names of files may not be valid UTF-8.
       write_text(path + "/run.json",
                  record.dump(2, ' ', false, RunRecord::error_handler_t::replace));
       draw_results(scene, log);

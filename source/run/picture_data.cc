@@ -17,18 +17,20 @@ namespace strait
 {
   namespace
   {
-    // Along a side of a picture: with half of it contacts look ragged, double of it makes
-    // files four times as large.
+    // Points along a side of a picture: with half of it contacts look ragged, double of
+    // it makes files four times as large.
     constexpr int most_points = 1024;
 
-    /** In both directions every so many grid points are shown, from (0, 0) on. */
+    /** The stride of the grid points that are shown, from (0, 0) on in both
+     *  directions. */
     int
     stride_on(const PeriodicGrid &grid)
     {
       return (std::max(grid.nx, grid.ny) + most_points - 1) / most_points;
     }
 
-    /** @p local, one value a local grid point, where it is shown, on rank 0. */
+    /** Gather on rank 0 the values that are shown of @p local, one per local grid point.
+     *  Collective. */
     std::vector<float>
     thin_out(const SlabLayout &layout, const double *local)
     {
@@ -46,8 +48,8 @@ namespace strait
       return result;
     }
 
-    /** 0 closed, 1 open but not leaking, 2 percolating, 3 where the fluid has no place.
-     */
+    /** 0: closed, 1: open but not percolating, 2: percolating, 3: outside of the region
+     *  of the fluid. */
     std::vector<double>
     openness(const Step &step)
     {
@@ -66,7 +68,7 @@ namespace strait
       return result;
     }
 
-    /** The fields of a picture by their names. Collective; complete on rank 0. */
+    /** Collect the fields of a picture by name. Collective; complete on rank 0. */
     std::map<std::string, std::vector<float>>
     collect(const Step &step)
     {
@@ -109,8 +111,8 @@ namespace strait
         .write(values);
     }
 
-    /** Pieces of the outline of a seal mesh: both ends, and 0 for the inlet, 1 for the
-     *  outlet, 2 for a wall. */
+    /** Write the outline of a seal mesh, one row (x0, y0, x1, y1, kind) per edge, where
+     *  kind is 0 for the inlet, 1 for the outlet and 2 for a wall. */
     void
     write_outline(dealii::HDF5::File &file, const Step &step)
     {
@@ -157,7 +159,7 @@ namespace strait
         }
     }
 
-    /** The window in which the worst constriction lies, if it lies in one. */
+    /** Write the window in which the worst constriction lies, if there is one. */
     void
     write_window(dealii::HDF5::File &file, const Step &step)
     {

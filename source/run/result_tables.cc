@@ -17,7 +17,7 @@ namespace strait
       return {"with `Load programme/Find threshold`", scene.programme.find_threshold};
     }
 
-    /** A table that a script makes, whose columns have no entries here. */
+    /** Describe a table that a script writes; its columns have no entries here. */
     TableInfo
     made_by_script(const std::string                         &file,
                    const Condition                           &condition,
@@ -30,7 +30,7 @@ namespace strait
       return table.info();
     }
 
-    /** Exponents against the reduced load. */
+    /** Exponents of leak rate and throat against the reduced load. */
     TableInfo
     fit_table(const Scene &scene)
     {
@@ -72,7 +72,7 @@ namespace strait
           "`Reduced loads` has too few steps for it")});
     }
 
-    /** The leak rate of the whole seal, of the realisations. */
+    /** The leak rate of the whole seal, from the realisations. */
     TableInfo
     seal_table(const Scene &scene)
     {
@@ -97,7 +97,7 @@ namespace strait
           "bounds is")});
     }
 
-    /** The load for a wanted leak rate, likewise. */
+    /** The load for the wanted leak rate of the whole seal. */
     TableInfo
     seal_load_table(const Scene &scene)
     {
@@ -323,7 +323,7 @@ namespace strait
   print_columns(std::ostream &out, const std::string &format)
   {
     require(format == "md", "--columns " + format + ": the format is md.");
-    Scene scene; // with the columns that a scene gives names to
+    Scene scene; // with all columns whose names come from a scene
     scene.output.leak_rate_units = split(names_in(leak_rate_units), ',');
     for (const TableInfo &table : all_tables(scene))
       print_markdown(out, table);

@@ -13,7 +13,7 @@ namespace strait
 {
   namespace
   {
-    /** The files that @p scene is made of, each with a checksum of what is in it.
+    /** List the input files of @p scene, each with a checksum of its content.
      *  Collective. */
     std::vector<std::string>
     files_of(const Scene &scene, MPI_Comm comm)
@@ -51,7 +51,7 @@ namespace strait
     , path(scene.output.directory + "/checkpoint")
     , files(std::move(files_))
   {
-    // Whatever it takes until the folder is written to would be in vain.
+    // Fail now if another run holds the lock, and not at the first output.
     run_on_root(comm, [this]() {
       const auto nobody_else = lock_folder(scene.output.directory);
     });
@@ -69,7 +69,7 @@ namespace strait
     transfer(*archive);
   }
 
-  /** The scene, and what is known before there is a sweep or once it has ended. */
+  /** Transfer the scene, which must be the same, and what is known outside of a sweep. */
   void
   RunState::transfer(StateArchive &file)
   {
@@ -114,7 +114,7 @@ namespace strait
     if (parts)
       parts(writer);
     writer.commit();
-    has_begun = true; // the first time nothing is done yet
+    has_begun = true; // only now: at the first save nothing is done yet
   }
 
   void
@@ -123,7 +123,7 @@ namespace strait
     refuse_results_of_another_scene(scene, comm);
     try
       {
-        // Files are not looked at: those that have changed may be restored.
+        // Input files are not compared: those that have changed may be restored.
         RunState     earlier(scene, comm, std::vector<std::string>());
         StateArchive file(earlier.path, comm, StateArchive::Access::read);
         earlier.transfer(file);
@@ -132,7 +132,7 @@ namespace strait
       }
     catch (const InputError &)
       {
-        return; // there is nothing to go on with
+        return; // nothing to resume, or another run's lock, which is found again later
       }
     throw InputError("The folder '" + scene.output.directory +
                      "' holds a run of this scene that has not come to its end; go on "

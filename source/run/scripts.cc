@@ -14,7 +14,7 @@ namespace strait
 {
   namespace
   {
-    /** @p text in single quotes for the shell. */
+    /** Put @p text in single quotes for the shell. */
     std::string
     quoted(const std::string &text)
     {
@@ -24,10 +24,10 @@ namespace strait
     struct ScriptResult
     {
       bool        succeeded;
-      std::string said; // on both streams
+      std::string said; // output on both streams
     };
 
-    /** With @p input as its standard input, if that is not empty. */
+    /** Run a script with @p input as its standard input, if that is not empty. */
     ScriptResult
     run_script(const std::string &name,
                const std::string &argument,
@@ -52,7 +52,7 @@ namespace strait
       return {succeeded, trim(said)};
     }
 
-    /** What a script says goes to the log, lines that begin so as warnings. */
+    /** The output of scripts goes to the log, lines with this prefix as warnings. */
     const std::string warning = "warning: ";
 
     void

@@ -25,7 +25,7 @@ namespace strait
 {
   namespace
   {
-    /** Throws what the run would. */
+    /** Read the seal mesh, if there is one. Throws what the run would. */
     void
     check_mesh(const Scene &scene, Log &log)
     {
@@ -43,8 +43,8 @@ namespace strait
                       region.n_inside()));
     }
 
-    /** The heights of a scene that has passed all checks. Throws what the run would
-     *  before anything is computed. */
+    /** Make the heights of a scene and check all its input. Throws what the run would
+     *  before it computes anything else. */
     SlabField
     checked_heights(const Scene &scene, Log &log)
     {
@@ -58,7 +58,7 @@ namespace strait
       return heights;
     }
 
-    /** What is simulated beside the surface. */
+    /** Names of the effects that the scene enables. */
     std::vector<std::string>
     effects_of(const Scene &scene)
     {
@@ -84,7 +84,7 @@ namespace strait
       return names;
     }
 
-    /** The searches that come before the steps, unless they were made before. */
+    /** Run the searches that come before the steps, unless they are over. */
     void
     find_seals(const Scene                 &scene,
                LoadSweep                   &sweep,
@@ -129,8 +129,7 @@ namespace strait
     }
 
     /** Evaluate the theory alone at every load and slip length and write the results.
-     * Makes heights on a grid only to measure their spectrum, where the scene asks for
-     * that. */
+     *  Heights on a grid are made only if the scene asks for their spectrum. */
     RunSummary
     run_theory(const Scene &scene, Log &log, MPI_Comm comm)
     {
@@ -173,7 +172,7 @@ namespace strait
   RunSummary
   simulate(const Scene &scene, Log &log, const bool resume, MPI_Comm comm)
   {
-    if (scene.is_theory_only()) // so quick that it begins anew
+    if (scene.is_theory_only()) // so quick that there is no need to resume
       return run_theory(scene, log, comm);
     Timers   timers;
     RunState state(scene, comm, resume);
@@ -187,12 +186,12 @@ namespace strait
     const auto n_points = static_cast<double>(heights.grid().n_points());
     timing.reset();
 
-    // The sweep takes the heights.
+    // Keep a copy, as the sweep takes the heights.
     const bool      is_shown = scene.output.surface_map || scene.output.surface_spectrum;
     const SlabField shown    = is_shown ? heights : SlabField();
     LoadSweep       sweep(scene, std::move(heights), log, timers, state.surface_energy);
     state.surface_energy = sweep.progress().surface_energy;
-    // The first thing that is written, after the last check of the input.
+    // This writes the first files, after the last check of the input.
     OutputDirectory output(scene, comm, log, resume);
     const auto      parts = [&](StateArchive &archive) {
       output.transfer(archive);
@@ -253,7 +252,7 @@ namespace strait
       }
     write_jumps();
     RunSummary summary =
-      output.finish(sweep.progress().thresholds, timers, most_memory(comm) / n_points);
+      output.finish(sweep.progress().thresholds, timers, peak_memory(comm) / n_points);
     if (stopped)
       throw Interruption(
         "Stopped by " + name_of_stop_signal() +
@@ -285,7 +284,7 @@ namespace strait
         return;
       }
     const SlabField heights = checked_heights(scene, log);
-    // Realisations that would run beside each other have a grid each.
+    // Realisations that run at the same time have a grid each.
     const std::vector<int> &each    = scene.realisations.ranks_each;
     const int               n_ranks = n_ranks_in(MPI_COMM_WORLD);
     const int n_grids = each.empty() ? 1 : std::max(1, n_ranks / each.front());

@@ -15,8 +15,8 @@ namespace strait
                                : format("%.1f h", seconds / 3600.);
     }
 
-    /** The largest error of a leak rate that is known, what would reduce it, and what is
-     *  not known. */
+    /** Describe the largest error of a leak rate that is known, what would reduce it, and
+     *  which errors are not known. */
     std::string
     largest_of(const StepErrors &errors)
     {

@@ -60,7 +60,8 @@ namespace strait
       });
     }
 
-    /** Throws InputError for a slope that no surface has. */
+    /** Report statistics of the heights. Throws InputError for a slope that no surface
+     *  has, and for a contact with constant heights unless the kind is flat. */
     void
     report_surface(const Scene &scene, const SlabField &heights, Log &log)
     {
@@ -91,9 +92,9 @@ namespace strait
         report_spectrum(heights, log);
     }
 
-    /** A mesh can only be as coarse as the grid can be halved. */
+    /** Warn if the grid can be halved so seldom that the coarsest mesh has many cells. */
     void
-    warn_of_odd_grid(const Scene &scene, Log &log)
+    warn_of_large_coarsest_mesh(const Scene &scene, Log &log)
     {
       // Cells with which each mesh then has to start: half of it is still solved in no
       // time, double of it is felt at every load.
@@ -118,7 +119,7 @@ namespace strait
     require_memory(scene, comm);
     for (const std::string &warning : check_resolution(scene.surface, grid))
       log.warn(warning);
-    warn_of_odd_grid(scene, log);
+    warn_of_large_coarsest_mesh(scene, log);
     if (!scene.fluid.gas.empty())
       log.line(format("gas: %s, viscosity %.6g",
                       scene.fluid.gas.c_str(),

@@ -8,16 +8,16 @@ namespace strait
 {
   namespace
   {
-    // Below the largest gap. Simulated gaps near a contact line fall on any scale down to
-    // none, but those beyond half of it conduct nothing already; double of it only adds
-    // empty bins.
+    // Decades below the largest gap that bins cover. Near a contact line simulated gaps
+    // fall to zero over all scales, but those beyond half of it conduct nothing already;
+    // double of it only adds empty bins.
     constexpr int n_decades = 10;
 
-    // To a decade, in the tables: half of it blurs the peak, double of it is noisy on
+    // Bins per decade in the output: half of it blurs the peak, double of it is noisy on
     // small grids.
     constexpr int bins_shown = 10;
 
-    /** The leak rate of a cubed gap of one. */
+    /** The leak rate of the box divided by its effective cubed gap. */
     double
     conductance_of_box(const Scene &scene)
     {
@@ -77,7 +77,7 @@ namespace strait
                             const Transition *threshold) const
   {
     const bool shows_gaps = scene.output.fields != FieldOutput::none;
-    // Without what compares a theory, or its gaps, with others.
+    // All but the error, the yielding areas, and the simulated gaps for comparison.
     const auto evaluate = [&](const PerssonTheory &with) {
       TheoryResult result;
       result.pressure     = pressure;
@@ -112,7 +112,7 @@ namespace strait
     if (pressure > 0)
       result.error =
         std::max(result.error, relative_difference(result.mean_gap, other.mean_gap));
-    // Over the same bins where there are some.
+    // Over the bins of the theory, if it has some.
     if (gap != nullptr && shows_gaps)
       result.simulated_gaps = result.persson_gaps
                                 ? gap_histogram(*gap, result.persson_gaps->edges)

@@ -12,25 +12,26 @@ namespace strait
 {
   namespace
   {
-    // Each limit, with its source and what half and double of it do, stands in
-    // doc/validity.md as well.
+    // doc/validity.md lists these limits as well, with their sources and with what half
+    // and double of each do.
 
-    // What the fluid may carry of the load. It raises the critical load of a square
-    // saddle by 6 % at this ratio, by 3 % at half of it and 13 % at double.
+    // Fluid pressure over load. It raises the critical load of a square saddle by 6 % at
+    // this ratio, by 3 % at half of it and by 13 % at double.
     constexpr double most_fluid_pressure = .1;
 
-    // Elastic contact pressures p have the density ∝ p exp(−p²/2s²) at small loads, with
-    // the mean s √(π/2): of the contact, exp(−π/4 (H/mean)²) = 4 % lies above the
-    // hardness H at this ratio of the mean to H; 3e-6 at half of it, 46 % at double.
+    // Mean contact pressure over hardness H. At small loads elastic contact pressures p
+    // have the density ∝ p exp(−p²/2s²) with the mean s √(π/2), so that they exceed H on
+    // the fraction exp(−π/4 (H/mean)²) of the contact: 4 % at this ratio of the mean to
+    // H, 3e-6 at half of it, 46 % at double.
     constexpr double most_of_hardness = .5;
 
-    // Mean contact pressure over E*, where no hardness is known: few solids bear strains
-    // of a tenth elastically, and those that do are no longer linear.
+    // Mean contact pressure over E*, if no hardness is known: few solids bear strains of
+    // a tenth elastically, and those that do are no longer linear.
     constexpr double most_of_modulus = .1;
 
-    // Half-space and Reynolds' equation are both of first order in the slope: what they
-    // leave out is of the order of its square, here 9 %; 2 % at half of it, 36 % at
-    // double.
+    // RMS slope. Half-space and Reynolds' equation are both of first order in the slope:
+    // what they leave out is of the order of its square, here 9 %; 2 % at half of it,
+    // 36 % at double.
     constexpr double most_slope = .3;
 
     // Slip at the walls adds about 6 Kn to the flow between plates, here 6 %.
@@ -40,11 +41,11 @@ namespace strait
     // Knudsen number, by 1 % at half of it and 7 % at double.
     constexpr double most_knudsen_with_slip = .1;
 
-    // The load that trapped fluid may carry is not known better than this; leak rates
-    // change by several times as much.
+    // Fraction of the load that is uncertain because of trapped fluid; leak rates change
+    // by several times as much.
     constexpr double most_trapped_load = .01;
 
-    /** What a pressure of the fluid is of the load; under tension any is too much. */
+    /** Return the ratio of a fluid @p pressure to the load; infinite under tension. */
     double
     part_of_load(const Step &step, const double pressure)
     {
@@ -52,14 +53,14 @@ namespace strait
       return pressure > 0. ? pressure / load : 0.;
     }
 
-    /** @p what, which @p change does to the scene, or why that may not have it; if that
-     *  is not the only advice, nothing instead. */
+    /** Return the advice @p what if the scene allows @p change. If not, return it with
+     *  the reason, or nothing unless it is the only advice. */
     template <typename Change>
     std::string
     advice_to(const char *what, Scene scene, const Change &change, bool is_only = true)
     {
       change(scene);
-      // A seal's patches do without it where they must.
+      // Patches of a seal do without this if they must.
       scene.seal.two_in_a_row = false;
       try
         {
@@ -74,8 +75,8 @@ namespace strait
         }
     }
 
-    // One function for each mechanism that is left out. Those of gas, meniscus and grid
-    // are for steps with a path of least resistance.
+    // One function for each mechanism that the model leaves out. Those for gas, meniscus
+    // and grid are for steps with a path of least resistance.
 
     void
     add_slope(Step &step, const Scene &scene, const double rms_slope)
@@ -97,7 +98,7 @@ namespace strait
       if (scene.contact.yields)
         return;
       if (contact && !contact->pressure.empty() && contact->contact_area > 0.)
-        // The wall's reaction is more than what the solid bears by the attraction there.
+        // With adhesion the wall's reaction exceeds the solid's by the attraction there.
         in_contact = mean(contact->pressure) / contact->contact_area -
                      (contact->adhesion ? contact->adhesion->attraction : 0.);
       else if (!contact && step.theory && step.theory->contact_area > 0.)
@@ -136,7 +137,7 @@ namespace strait
       const bool is_meant = scene.has_physical_modulus() || fluid.excess_pressure() != 1.;
       if (!step.flow || !step.state.contact || fluid.feedback.enabled || !is_meant)
         return;
-      // The pressures of a liquid count from that outside of the seal.
+      // Pressures of a liquid are relative to that outside of the seal.
       const double suction =
         fluid.is_gas ? 0. : -std::min(fluid.inlet_pressure, fluid.outlet_pressure);
       const bool   pulls = suction > fluid.excess_pressure();
@@ -170,7 +171,7 @@ namespace strait
       step.checks.push_back(
         {"capillary",
          number,
-         1., // from there on a meniscus in the throat holds against the pressure
+         1., // from here on a meniscus in the throat withstands the pressure
          format("the pressure across a meniscus in the throat is %.3g of the one that "
                 "drives the flow: a liquid that has to enter a dry throat, or to leave "
                 "it, may not leak at all",
@@ -182,7 +183,7 @@ namespace strait
     {
       if (!scene.contact.enabled)
         return;
-      // A number of points across that is none is no larger one.
+      // fmin ignores a number of points across that is not known.
       const Throat &throat = step.flow->channel.throat;
       const double  points = std::fmin(throat.points, throat.points_across);
       step.checks.push_back(
@@ -205,13 +206,13 @@ namespace strait
          true});
     }
 
-    /** Mean free path over gap along @p path of a gas in viscous flow, whose squared
-     *  pressure falls in proportion to ∫ ds/gap³: the mean, weighted with the fall of the
-     *  pressure, and where the gap is smallest. */
+    /** Return the mean free path over the gap along @p path of a gas in viscous flow,
+     *  whose squared pressure falls in proportion to ∫ ds/gap³: the mean over this
+     *  resistance, and the value where the gap is smallest. */
     std::pair<double, double>
     knudsen_numbers(const FlowPath &path, const Scene &scene)
     {
-      // The mean free path times the pressure depends on the temperature only.
+      // Mean free path times pressure, which depends on the temperature only.
       const double constant    = RarefiedGas(scene.fluid).knudsen_number(1., 1.);
       const double inlet       = scene.fluid.inlet_pressure;
       const double outlet      = scene.fluid.outlet_pressure;
@@ -221,8 +222,8 @@ namespace strait
       const auto pressure = [&](const std::size_t k) {
         return pressure_at(path.resistances[k] / path.resistance());
       };
-      // The mean of λ/g over the resistance r is Σ c/g ∫ dr/p, with dr/p = −2 dp/(p_in² −
-      // p_out²).
+      // The mean of λ/g over the resistance r is Σ c/g ∫ dr/p with
+      // dr/p = −2 dp/(p_in² − p_out²).
       double mean = 0.;
       for (std::size_t k = 1; k < path.gaps.size(); ++k)
         mean += .5 * constant * (1. / path.gaps[k - 1] + 1. / path.gaps[k]) * 2. *
@@ -262,7 +263,7 @@ namespace strait
         {"rarefied-throat", at_throat, most, advice("in the throat", at_throat)});
     }
 
-    /** The part of the box where fluid is trapped. Collective. */
+    /** The fraction of the box where fluid is trapped. Collective. */
     double
     trapped_area(const std::vector<NodeState> &states, const SlabLayoutPtr &layout)
     {
@@ -309,7 +310,7 @@ namespace strait
     add_fluid_pressure(step, scene);
     add_contact_pressure(step, scene);
     add_slope(step, scene, rms_slope);
-    // There is no path where nothing leaks, or nothing limits the leak.
+    // There is no path if nothing leaks, or nothing limits the leak.
     if (step.flow && !step.flow->channel.paths.empty())
       {
         add_gas(step, scene);
@@ -319,7 +320,7 @@ namespace strait
     add_trapped_fluid(step, scene);
     for (const ValidityCheck &check : step.checks)
       {
-        // Numbers differ from step to step; the first one is told.
+        // Numbers differ from step to step: warn only the first time.
         const std::string start = check.word + ": ";
         const auto       &told  = log.warnings();
         const bool        is_new =

@@ -17,20 +17,20 @@ namespace strait
 {
   namespace
   {
-    // Of the change that a round makes, in rounds that are to keep a state. With three
-    // times of it they lose more states that are there, half of it takes more rounds.
+    // Fraction of a round's change that is taken in order to keep a state. With three
+    // times of it, more states that exist are lost; half of it takes more rounds.
     constexpr double small_fraction = .1;
 
-    // Times that a state is given up for another one, or that regions meet in it. Half as
-    // many give long steps up on which they meet one after the other, twice as many go on
-    // where they meet and part, or the leak rate changes with the mesh, without end.
+    // States tried as the mesh changes, and times that regions may meet in one. Half of
+    // it gives up long steps on which regions meet one by one; double of it goes on
+    // without end where they meet and part, or the leak rate changes with the mesh.
     constexpr int most_tries = 4;
 
     struct LiftedOff
     {
     };
 
-    /** The way to one state, with a fraction of the changes that relaxation takes. */
+    /** The iteration to one state, taking a fraction of the changes of relaxation. */
     class Coupling
     {
     public:
@@ -60,15 +60,15 @@ namespace strait
         if (from == nullptr || !from->fluid)
           return;
         feedback.pressure() = from->fluid->pressure;
-        // What carried another load is not to lift this one off before it was tried.
+        // Fluid of another load must not lift the walls off before this one is tried.
         const double fluid_load = mean(feedback.pressure());
         if (on_wall.is_limited_by_load() && fluid_load >= control.target)
           for (double &pressure : feedback.pressure())
             pressure *= FluidOnWall::largest_fraction * control.target / fluid_load;
       }
 
-      /** Contact and flow that agree to what @p aim needs; see FeedbackGoal if only one
-       * @p verdict is wanted. */
+      /** Bring contact and flow to agree as far as @p aim needs; see FeedbackGoal if only
+       *  one @p verdict is wanted. */
       SealState
       reach(const Aim aim, const std::optional<bool> verdict)
       {
@@ -80,47 +80,50 @@ namespace strait
       }
 
     private:
-      /** Contact and flow that agree to the accuracy of a verdict; roughly, on a rough
-       * mesh, if the channel is open and @p open_is_enough. */
+      /** Bring contact and flow to agree to the accuracy of a verdict; only roughly, on a
+       *  coarse mesh, if the channel is open and @p open_is_enough. */
       void
       settle(const bool open_is_enough, const std::optional<bool> verdict)
       {
-        // The verdict should not depend on what the iteration leaves over, but below that
-        // it is what contact and flow leave over that counts. Half of it takes a few
-        // rounds more, double of it blurs the tightest thresholds that can be asked for.
-        constexpr double least    = 1e-5;
-        const double     fraction = looseness * scene.programme.threshold_tolerance;
-        FeedbackGoal     goal{std::min(scene.fluid.feedback.tolerance,
+        // Least tolerance of a verdict, which should not depend on what the iteration
+        // leaves over; below this, what contact and flow leave over counts more. Half of
+        // it takes a few rounds more; double of it blurs the tightest thresholds that can
+        // be asked for.
+        constexpr double least = 1e-5;
+        const double     fraction =
+          intermediate_tolerance_factor * scene.programme.threshold_tolerance;
+        FeedbackGoal goal{std::min(scene.fluid.feedback.tolerance,
                                    std::max(fraction, least)),
                           std::numeric_limits<double>::infinity()};
-        goal.once_open = open_is_enough ? looseness : 0.;
+        goal.once_open = open_is_enough ? intermediate_tolerance_factor : 0.;
         goal.verdict   = verdict;
-        // The search for its re-sealing goes on from the state that has opened.
+        // A search for the re-sealing pressure goes on from the state that has opened.
         if (open_is_enough && !scene.programme.find_resealing)
-          mesh_accuracy = std::max(mesh_accuracy, looseness);
+          mesh_accuracy = std::max(mesh_accuracy, intermediate_tolerance_factor);
         agree(goal);
       }
 
       /**
-       * Let contact and flow come near each other on finer and finer meshes until the
-       * leak rate does not depend on the mesh that the fluid's pressure on the wall is
-       * found on, and then agree.
+       * Bring contact and flow close to each other on finer and finer meshes, until the
+       * leak rate no longer depends on the mesh on which the fluid's pressure on the wall
+       * is found; then let them agree.
        */
       void
       find_mesh()
       {
-        // Of meshes for one state. Half as many may leave the leak rate to change with
-        // the mesh, which the bracket then says; twice as many cost more for gaps that no
-        // mesh settles.
+        // Refinements for one state. Half as many may leave a leak rate that changes with
+        // the mesh, which the bracket then shows; twice as many cost more for gaps that
+        // no mesh settles.
         constexpr int max_finer = 2;
-        // If the leak rate changes by more than that, contact and flow went to another
+        // Change of the leak rate beyond which contact and flow have gone to another
         // state, for which another mesh of this fraction is wanted.
-        constexpr double another_state = 1. - 1. / FlowStage::another_gap;
+        constexpr double another_state = 1. - 1. / FlowStage::remesh_ratio;
 
         const double target_accuracy = flow.fluid().target_accuracy;
         const double tolerance       = scene.fluid.feedback.tolerance;
         FluidState  &fluid           = *state.fluid;
-        const double loosely         = std::max(tolerance, looseness * target_accuracy);
+        const double loosely =
+          std::max(tolerance, intermediate_tolerance_factor * target_accuracy);
         FeedbackGoal goal{loosely, loosely};
         double       fraction = mesh_fraction;
 
@@ -128,7 +131,7 @@ namespace strait
         for (int finer = 0, states = 1;;)
           {
             agree(goal);
-            goal.goes_on = true;
+            goal.continues = true;
             if (fluid.lifted_off)
               return;
             if (!fluid.converged || !fluid_flow.solution)
@@ -136,14 +139,14 @@ namespace strait
             bool stays = true;
             if (leak_before)
               {
-                // A change below the width of the bracket, or below what the iteration
-                // leaves over, is chance.
+                // A change below half of the bracket's width, or below what the iteration
+                // leaves over, is not significant.
                 const Leakage &now = flow.certify(fluid_flow, fraction);
                 fluid.mesh_error   = std::max({std::abs(*leak_before / now.rate - 1.),
                                                .5 * now.relative_width(),
                                                loosely});
                 stays              = fluid.mesh_error <= another_state;
-                // The bracket of the row may take as much as that of the first mesh.
+                // The bracket in the results may be as wide as that on the first mesh.
                 const double width =
                   std::max(now.relative_width(), mesh_fraction * target_accuracy);
                 const bool is_narrow = width + 2. * fluid.mesh_error <= target_accuracy;
@@ -165,7 +168,7 @@ namespace strait
         goal.tolerance = tolerance;
         if (fluid.converged && !last_result.agrees_within(goal))
           agree(goal);
-        // On either side of a gap that stays ajar it leaks more or less.
+        // A gap that stays ajar leaks more on one side of its place than on the other.
         fluid.mesh_error = std::max(fluid.mesh_error, last_result.leak_change);
       }
 
@@ -176,11 +179,11 @@ namespace strait
           goal.largest_mean = control.target;
         double largest_pressure = std::max(std::abs(flow.fluid().inlet_pressure),
                                            std::abs(flow.fluid().outlet_pressure));
-        // Reservoirs without pressure give none to compare that of trapped fluid with.
+        // Reservoirs without pressure are no measure for that of trapped fluid.
         if (largest_pressure == 0.)
-          largest_pressure = scene.contact.loads() ? std::abs(control.target)
-                             : near != nullptr     ? std::abs(near->nominal_pressure)
-                                                   : 0.;
+          largest_pressure = scene.contact.is_load_controlled() ? std::abs(control.target)
+                             : near != nullptr ? std::abs(near->nominal_pressure)
+                                               : 0.;
         FluidState &fluid = *state.fluid;
         try
           {
@@ -193,7 +196,7 @@ namespace strait
                   goal);
                 meet = on_wall.settle(*state.contact, fluid_flow, feedback.pressure()) &&
                        last_result.converged;
-                goal.goes_on = false;
+                goal.continues = false;
               }
             last_result.converged = last_result.converged && !meet;
             fluid.trapped         = on_wall.trapped();
@@ -208,7 +211,9 @@ namespace strait
         fluid.pressure = feedback.pressure();
       }
 
-      /** Without a fluid pressure if one @p verdict is wanted and the gap has another. */
+      /** Find the contact under the @p assumed pressure, and the fluid in its gap. The
+       *  result lacks a fluid pressure if one @p verdict is wanted and the gap has the
+       *  other. Throws LiftedOff if the fluid carries the load or adhesive walls part. */
       FeedbackRound
       round(const SlabField &assumed, const std::optional<bool> verdict)
       {
@@ -251,7 +256,7 @@ namespace strait
         if (scene.contact.adhesion.enabled)
           parted.adhesion.emplace().detached = true; // where a path ends
         parted.mean_gap = state.mean_gap = infinite;
-        // The contact that was sought until then is none of this state.
+        // The iterations until then do not belong to the contact of this state.
         state.costs.iterations  = 0;
         state.costs.fft_pairs   = 0;
         state.fluid->percolates = state.fluid->lifted_off = true;
@@ -267,7 +272,7 @@ namespace strait
       FlowStage          &flow;
       Log                &log;
       const Control       control;
-      const ContactState *near; // that the next contact starts from, if there is one
+      const ContactState *near; // the next contact starts from it; may be null
       StepFlow            fluid_flow;
       WallFeedback        feedback;
       FluidOnWall         on_wall;
@@ -295,7 +300,7 @@ namespace strait
         SealState state = reach(1., {});
         if (from != nullptr && changes_verdict(*from, state))
           {
-            // A large step may have lost a state that is there.
+            // A large step may have lost a state that exists.
             const bool verdict = from->fluid->percolates;
             SealState  kept    = reach(small_fraction, verdict);
             kept.costs += state.costs;

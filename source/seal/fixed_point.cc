@@ -24,11 +24,11 @@ namespace strait
                       const std::size_t n,
                       const bool        combines)
   {
-    // A circle through a jump, of some ten rounds, has to become smaller. With half of
-    // the growth the fraction recovers later from turns on the way, with double of it
-    // circles take twice the rounds to come to rest.
+    // Growth of the fraction per round. A cycle through a jump, of some ten rounds, must
+    // still shrink. With half of the growth, the fraction recovers later from turns on
+    // the way; with double of it, cycles take twice the rounds to come to rest.
     constexpr double growth     = 1.0625;
-    const bool       has_before = has_last; // never without history
+    const bool       has_before = has_last; // always false without history
     remember(x, image, n);
     if (!combines && has_before && turns_round())
       fraction *= .5;
@@ -86,7 +86,7 @@ namespace strait
           A(i, j) = A(j, i) = product(differences[i].residual, differences[j].residual);
         b(i) = product(differences[i].residual, last_residual);
       }
-    // Rounds that say almost the same as others must not fight each other.
+    // Nearly parallel differences must not cancel each other with large weights.
     A.compute_inverse_svd(std::numeric_limits<float>::epsilon());
     A.vmult(weights, b);
     double along_residual = fraction * product(last_residual, last_residual);

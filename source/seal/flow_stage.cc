@@ -10,17 +10,17 @@ namespace strait
 {
   namespace
   {
-    // The lower bound divides by the conductivity, which is therefore taken to be no
-    // smaller than this fraction of the narrowest point's, in contact as well: that lets
-    // the bound leak a little, by about this fraction times width over length. Half and
+    // Floor of the conductivity, in contact as well, as a fraction of that at the
+    // narrowest point, because the lower bound divides by the conductivity. It lets the
+    // bound leak a little, by about this fraction times width over length. Half and
     // double of it change the leak rate by less than that.
     constexpr double floor_fraction = 1e-8;
 
-    // On the way to another gap, where the channel may be about to close, no mesh is
-    // refined beyond this: with half of it the fluid's pressure on the wall is coarser,
-    // which more rounds on finer meshes make up for, with double of it more is spent on
+    // Unknowns beyond which no mesh is refined on the way to another gap, where the
+    // channel may be about to close. Half of it makes the fluid's pressure on the wall
+    // coarser, which takes more rounds on finer meshes; double of it spends more on
     // states that are left again.
-    constexpr unsigned long long most_on_the_way = 10000;
+    constexpr unsigned long long most_unknowns_while_following = 10000;
   } // namespace
 
   FlowStage::FlowStage(const FluidParameters &fluid,
@@ -49,11 +49,11 @@ namespace strait
     flow_domain = FlowDomain(std::make_shared<const FlowRegion>(
       grid, seal->outline(.25 * std::min(grid.dx(), grid.dy())), layout->communicator()));
 
-    // The shape factor, for which no bracket is written, and of which effective gaps take
-    // a third of the error.
+    // Find the shape factor. No bracket is written for it, and effective gaps inherit a
+    // third of its error.
     FluidParameters fluid = parameters;
-    fluid.element_degree  = 2; // where the solution is smooth
-    fluid.target_accuracy *= looseness;
+    fluid.element_degree  = 2; // the solution is smooth
+    fluid.target_accuracy *= intermediate_tolerance_factor;
     fluid.uniform_refinement = false;
     fluid.inlet_pressure     = 1.;
     fluid.outlet_pressure    = 0.;
@@ -119,8 +119,8 @@ namespace strait
     const double change = flow.solution->change_in(bridge);
     if (std::abs(change) <= parameters.target_accuracy)
       return change;
-    // The mesh was made for another gap, of which a few coarse cells may let more through
-    // than the throat does.
+    // The mesh was made for another gap: in this one, a few coarse cells may let more
+    // through than the throat does.
     return ReynoldsSolver(fluid, bridge, seal.get()).run(channel).rate /
              flow.leakage.rate -
            1.;
@@ -148,12 +148,12 @@ namespace strait
       const double      there  = at.window < 0
                                    ? fetch_rows(channel.gap, {at.iy})[at.ix % layout.grid().nx]
                                    : channel.gap[layout.index_of(at)];
-      return there > 0. && there < another_gap * channel.paths.front().bottleneck_gap;
+      return there > 0. && there < remesh_ratio * channel.paths.front().bottleneck_gap;
     };
     if (!flow.followed || !is_still_narrow())
       {
-        // Refined as for a bracket: on the first mesh the pressure is too coarse.
-        mesh_and_bracket(flow, tolerance_factor, most_on_the_way);
+        // Refine as for a bracket: on the first mesh the pressure is too coarse.
+        mesh_and_bracket(flow, tolerance_factor, most_unknowns_while_following);
         return;
       }
     flow.solution = flow.followed;
@@ -165,9 +165,9 @@ namespace strait
   const Leakage &
   FlowStage::certify(StepFlow &flow, const double tolerance_factor)
   {
-    // Cells that are small where a very different gap was narrow are a burden here.
+    // Cells refined for the throat of a very different gap are a burden here.
     const double change = flow.leakage.upper / meshed_leak_rate;
-    if (std::max(change, 1. / change) > another_gap)
+    if (std::max(change, 1. / change) > remesh_ratio)
       mesh_and_bracket(flow, tolerance_factor, ReynoldsSolver::unlimited);
     else
       {
@@ -177,7 +177,7 @@ namespace strait
     return flow.leakage;
   }
 
-  /** With a path only where reservoirs differ in pressure. */
+  /** The channel of @p gap, with a path only if the reservoirs differ in pressure. */
   Channel
   FlowStage::find_channel(const SlabField &gap, const double slip_length)
   {

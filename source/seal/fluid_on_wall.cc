@@ -25,7 +25,7 @@ namespace strait
     : scene(scene_)
     , control(control_)
     , past(from != nullptr && from->fluid && from->fluid->trapped ? from : nullptr)
-    , has_extended(from != nullptr && from->fluid)
+    , has_initial_extension(from != nullptr && from->fluid)
   {
     if (!scene.fluid.feedback.keeps_trapped_fluid())
       return;
@@ -40,7 +40,7 @@ namespace strait
   bool
   FluidOnWall::is_limited_by_load() const
   {
-    return scene.contact.loads() && !scene.contact.adhesion.enabled;
+    return scene.contact.is_load_controlled() && !scene.contact.adhesion.enabled;
   }
 
   SlabField
@@ -60,22 +60,23 @@ namespace strait
         const SlabField    gap = open;
         const RegionsInGap regions(known, gap, fluid_flow.channel.clusters);
         assign(result, open, fluid_flow, &regions);
-        hold(result, open, contact, assumed, regions);
+        set_trapped_pressures(result, open, contact, assumed, regions);
       }
     else
       {
         unsettled.note(fluid_flow.channel.clusters.states);
         assign(result, open, fluid_flow, nullptr);
       }
-    has_extended = true;
+    has_initial_extension = true;
     extend_under_contact(result,
                          open,
                          scene.fluid.direction,
                          control.inlet_pressure,
                          scene.fluid.outlet_pressure);
-    // Neither a region that is too full lifts the wall off nor fluid before a channel
-    // that is closed: its pressure falls as soon as the wall has given way. Not until the
-    // solid carries next to nothing is it certain that the wall does not.
+    // A region that is too full, or fluid in front of a closed channel, may seem to lift
+    // the wall off, but its pressure falls as soon as the wall gives way. Lift-off is
+    // certain only once the solid carries next to nothing. Until then, leave the solid
+    // half of what it carries.
     const double before = mean(assumed);
     if (is_limited_by_load() && mean(result) >= control.target &&
         before < largest_fraction * control.target)
@@ -87,8 +88,8 @@ namespace strait
     return result;
   }
 
-  /** The pressure of all fluid but that in @p regions, if they are given. What is not
-   * open to it is closed in @p open_gap. */
+  /** Set the pressure of all fluid except that in @p regions, if they are given. Points
+   *  that count as contact are closed in @p open_gap. */
   void
   FluidOnWall::assign(SlabField          &pressure,
                       SlabField          &open_gap,
@@ -112,7 +113,7 @@ namespace strait
           {
             case NodeState::percolating:
               if (before)
-                break; // it keeps what it had when it was cut off
+                break; // it keeps the pressure at which it was cut off
               pressure[k] =
                 channel.empty() ? inlet : fluid_flow.solution->pressure_at(channel[k]);
               break;
@@ -123,11 +124,11 @@ namespace strait
               pressure[k] = outlet;
               break;
             case NodeState::trapped:
-            case NodeState::outside: // there is none of them in the box
+            case NodeState::outside: // does not occur in the box
               pressure[k] = scene.fluid.feedback.pool_pressure;
               break;
             case NodeState::closed:
-              if (!has_extended)
+              if (!has_initial_extension)
                 pressure[k] = .5 * (inlet + outlet);
               open_gap[k] = std::min(open_gap[k], 0.);
               break;
@@ -135,34 +136,35 @@ namespace strait
       }
   }
 
-  /** The pressures at which @p regions hold their fluid. */
+  /** Set the pressures at which @p regions hold their fluid. */
   void
-  FluidOnWall::hold(SlabField          &pressure,
-                    SlabField          &open_gap,
-                    const ContactState &contact,
-                    const SlabField    &assumed,
-                    const RegionsInGap &regions) const
+  FluidOnWall::set_trapped_pressures(SlabField          &pressure,
+                                     SlabField          &open_gap,
+                                     const ContactState &contact,
+                                     const SlabField    &assumed,
+                                     const RegionsInGap &regions) const
   {
     const FeedbackParameters &parameters = scene.fluid.feedback;
-    const std::vector<double> now        = regions.in_the_wide(assumed);
-    const std::vector<double> on_shut    = regions.in_the_wide(contact.pressure);
+    const std::vector<double> now        = regions.mean_over_widest_points(assumed);
+    const std::vector<double> on_shut = regions.mean_over_widest_points(contact.pressure);
     std::vector<double>       next(now);
     for (std::size_t r = 0; r < next.size(); ++r)
       if (r < known.regions.size())
         {
-          // What is pressed shut opens once its fluid has taken the contact over.
+          // A region that is pressed shut opens once its fluid has taken over the contact
+          // pressure: that pressure counts as a negative volume.
           const TrappedRegion &region = known.regions[r];
           const double         volume = regions.volumes[r] > 0. ? regions.volumes[r]
                                                                 : -region.compliance * on_shut[r];
           next[r] = pressure_to_hold(parameters, region, volume, now[r]);
         }
-      else if (!has_extended)
+      else if (!has_initial_extension)
         next[r] = parameters.pool_pressure;
     for (std::size_t k = 0; k < pressure.size(); ++k)
       if (const int r = regions.region_of_point[k]; r >= 0)
         {
           pressure[k] = next[r];
-          // Any gap will do for a region that is shut: its points count as open.
+          // The points of a region that is shut count as open, for which any gap will do.
           open_gap[k] = std::max(open_gap[k], std::numeric_limits<double>::min());
         }
   }
@@ -179,11 +181,12 @@ namespace strait
     std::optional<SlabField> before;
     if (past != nullptr)
       before = open_gap(past->gap(), past->control.slip_length);
-    RegionsInGap::Settled settled = regions.settle(scene.fluid.feedback,
-                                                   regions.in_the_wide(pressure),
-                                                   scene.contact.effective_modulus,
-                                                   before ? &*before : nullptr);
-    found                         = std::move(settled.fluid);
+    RegionsInGap::Settled settled =
+      regions.settle(scene.fluid.feedback,
+                     regions.mean_over_widest_points(pressure),
+                     scene.contact.effective_modulus,
+                     before ? &*before : nullptr);
+    found = std::move(settled.fluid);
     found->uncertainty += known.uncertainty;
     if (settled.has_changed)
       known = *found;

@@ -12,18 +12,17 @@ namespace strait
 {
   namespace
   {
-    /** Where on a grid the pressure is known, whatever the gap is there. */
+    /** Lines of a grid on which the pressure is known, whatever the gap is there. */
     struct KnownLines
     {
       FlowDirection direction;
-      double        inlet;   // pressure on the one side of the seam
-      double        outlet;  // and on the other
+      double        inlet;   // pressure of the seam, seen from the points after it
+      double        outlet;  // and from those before it
       int           seam;    // the column or row that is inlet and outlet; −1: none
       bool          has_rim; // the outermost points are known as well
     };
 
-    /** The equations of the points at which the pressure is sought, on a grid without
-     *  windows. */
+    /** The linear system for the unknown pressures, on a grid without windows. */
     class ExtensionProblem
     {
     public:
@@ -35,9 +34,8 @@ namespace strait
         , weight_y(layout.grid().dx() / layout.grid().dy())
         , factor(flow_gap.size())
       {
-        // The best for contacts of some twenty points across, as there are near the
-        // threshold. Half of what it lacks to 2, and double, take a third more
-        // iterations.
+        // Best for contacts some twenty points across, as they occur near the threshold.
+        // 1.9 and 1.6 take a third more iterations.
         constexpr double over_relaxation = 1.8;
 
         const int        nx = layout.grid().nx;
@@ -49,7 +47,7 @@ namespace strait
               for (int b = -1; b <= 1; ++b)
                 for (int a = -1; a <= 1; ++a)
                   largest = std::max(largest, rows[row + b][(ix + a + nx) % nx]);
-              // A point is open with half of the largest gap beside it.
+              // A point counts as open from half of the largest gap around it.
               const double ratio =
                 largest > 0 ? 2. * std::max(flow_gap[k], 0.) / largest : 0.;
               const double sides = weight_x + weight_y;
@@ -80,9 +78,9 @@ namespace strait
                 (ix == 0 || iy == 0 || ix == grid.nx - 1 || iy == grid.ny - 1));
       }
 
-      /** −Laplacian times dx·dy, and the springs' pull towards 0, where the pressure is
-       *  sought; the seam counts as @p inlet from its one side and as @p outlet from the
-       *  other. Collective. */
+      /** Apply −∇² times dx dy, plus the springs, at the unknown points. The seam counts
+       *  as @p inlet for the points after it and as @p outlet for those before it.
+       *  Collective. */
       void
       apply(const SlabField &values,
             const double     inlet,
@@ -118,14 +116,14 @@ namespace strait
           }
       }
 
-      /** z = the preconditioner times r where the pressure is sought; elsewhere z must be
-       *  zero. */
+      /** Set z to the preconditioner times r at the unknown points; z must be zero
+       *  elsewhere. */
       void
       precondition(const SlabField &r, SlabField &z) const
       {
-        // The rows of a rank are joined end to begin; neighbours of other ranks, and
-        // across the other edge of the box, are left out.
-        // Each point waits for that beside it, so that little may come in between.
+        // The rows of a rank count as one long row; neighbours on other ranks, and across
+        // the periodic seams, are left out. Each point waits for the one beside it, so
+        // everything else is computed first.
         const int nx = layout.grid().nx, n = nx * layout.n_rows();
         int       before  = -2;
         double    z_there = 0.;
@@ -152,14 +150,14 @@ namespace strait
       // κ dx dy; infinite where the pressure is known.
       std::vector<double> spring;
 
-      std::vector<int> points; // at which it is sought, ascending
+      std::vector<int> points; // the unknown ones, ascending
 
     private:
       const SlabLayout &layout;
       const KnownLines  lines;
       const double      weight_x, weight_y; // dy/dx and dx/dy
 
-      // How much of its own equation's residual a point takes.
+      // Over-relaxation over the diagonal entry of each point.
       std::vector<double> factor;
     };
 
@@ -167,13 +165,13 @@ namespace strait
     int
     extend(SlabField &pressure, const SlabField &flow_gap, const KnownLines &lines)
     {
-      // Of the boundary values' own residual, in the norm of the preconditioner: as
-      // exactly as FixedPoint remembers the pressures of earlier rounds.
+      // Relative to the residual of the boundary values alone, in the norm of the
+      // preconditioner: the precision in which FixedPoint stores earlier rounds.
       constexpr double       tolerance = std::numeric_limits<float>::epsilon();
       const SlabLayoutPtr    layout    = pressure.layout_pointer();
       const ExtensionProblem problem(flow_gap, lines);
 
-      // Boundary values and springs alone, which are the right-hand side.
+      // Boundary values and springs make the right-hand side.
       SlabField boundary_values(layout), load(layout);
       for (int row = 0, k = 0; row < layout->n_rows(); ++row)
         for (int ix = 0; ix < layout->grid().nx; ++ix, ++k)
@@ -197,7 +195,7 @@ namespace strait
       const double enough = tolerance * tolerance * precondition();
       if (!(enough > 0))
         {
-          // No pressure anywhere at the edge of the contact, hence none under it.
+          // There is no pressure at the edge of the contact, hence none under it.
           pressure = boundary_values;
           return 0;
         }
@@ -227,9 +225,8 @@ namespace strait
       return iteration;
     }
 
-    /** The same in window @p w, where @p lines are those of the grid, between the
-     * pressures around it on its parent, which are known. Collective if that is the grid.
-     */
+    /** The same in window @p w, with the pressures of its parent around it as boundary
+     *  values; @p lines are those of the grid. Collective if the parent is the grid. */
     int
     extend_in_window(SlabField       &pressure,
                      const SlabField &flow_gap,

@@ -17,7 +17,7 @@ namespace strait
 {
   namespace
   {
-    /** The gap is given, below zero where closed, and nothing changes it. */
+    /** A gap that is given, below zero where closed, and never changes. */
     SealModel
     given_gap(SlabField gap)
     {
@@ -55,7 +55,7 @@ namespace strait
       };
     }
 
-    /** Find the law and tell of it. Returns its surface energy. */
+    /** Find the law of the adhesion and report it. Returns its surface energy. */
     double
     find_surface_energy(const ContactParameters &parameters,
                         const SlabField         &heights,
@@ -109,9 +109,10 @@ namespace strait
   {
     ContactParameters parameters = scene.contact;
     if (scene.programme.find_threshold || scene.programme.find_blow_out)
-      // The verdict must not depend on what the solver leaves over.
+      // The verdict must not depend on the residual that the solver leaves.
       parameters.tolerance =
-        std::min(parameters.tolerance, looseness * scene.programme.threshold_tolerance);
+        std::min(parameters.tolerance,
+                 intermediate_tolerance_factor * scene.programme.threshold_tolerance);
     if (!scene.contact.enabled || !scene.contact.adhesion.enabled)
       return parameters;
     const auto know = [&](const double energy) {
@@ -158,8 +159,8 @@ namespace strait
         const double largest = scene.programme.pressures.front();
         return {largest, .2, largest};
       }
-    // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square
-    // saddle at 0.229: start a little to the side that the scene names.
+    // Rough surfaces seal at 0.24 ± 0.03 E* times their rms slope, the square saddle at
+    // 0.229: start a little to the side that the path comes from.
     SearchStart start{(unloads ? .28 : .2) * contact.pressure_scale(rms_slope)};
     if (contact.yields)
       start.end = contact.hardness;
@@ -174,6 +175,6 @@ namespace strait
       largest = std::max(largest, std::abs(target));
     return {scene.contact.control,
             scene.programme.jump_tolerance * largest,
-            looseness * scene.fluid.target_accuracy};
+            intermediate_tolerance_factor * scene.fluid.target_accuracy};
   }
 } // namespace strait

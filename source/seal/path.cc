@@ -11,31 +11,32 @@ namespace strait
 {
   namespace
   {
-    /** Of one step: a rough contact line may move in many small jumps, which together
-     *  are not worth more. With half of it such a step ends with one wider jump where
-     *  twice as many solves would enclose them one by one. */
+    /** Largest number of solves for one step: a rough contact line may move in many small
+     *  jumps, which together are not worth more. With half of it, such a step ends with
+     *  one wide jump; double of it would enclose those jumps one by one. */
     constexpr int max_solves = 60;
 
-    /** Of a step in which fluid is cut off, or a channel opens or closes, of the one
-     * asked for. Half of it takes twice as many where small regions form all the time,
-     * double of it leaves twice the doubt. */
+    /** Fraction of the step asked for below which a step is not halved, even if fluid is
+     *  cut off or a channel opens or closes in it. Half of it takes twice as many steps
+     *  where small regions form all the time; double of it leaves twice the doubt. */
     constexpr double shortest = 1.5 / 16;
 
     // How many times faster than in the last step the mean gap (or, under gap control,
     // the pressure) may change. Half of it halves steps that are smooth, which costs
-    // contact problems; double of it lets jumps pass that change the gap by as little.
+    // contact problems; double of it overlooks jumps that change the gap by that little.
     constexpr double steeper = 1.3;
 
-    /** Between the change of the energy and the trapezoidal rule, in units of the
-     *  range that the slopes at the ends leave: a smooth path has a twelfth of the
-     *  relative step, a jump at a fraction f of the step |f − 1/2|. Half of it halves
-     *  steps that are merely long, double of it overlooks jumps nearer to the middle. */
+    /** Largest deviation of the energy's change from the trapezoidal rule, in units of
+     *  the range that the slopes at the ends allow. It is a twelfth of the relative step
+     *  on a smooth path, and |f − 1/2| for a jump at a fraction f of the step. Half of it
+     *  halves steps that are only long; double of it overlooks more jumps near the
+     *  middle. */
     constexpr double largest_skewness = .025;
 
-    /** What a jump must dissipate, in units of the largest slope and the step; and the
-     *  change of the slope itself that is always allowed. Half of it takes the
-     * optimiser's tolerance for jumps sooner, double of it overlooks jumps that dissipate
-     * so little. */
+    /** Least energy that a jump must dissipate, in units of the largest slope times the
+     *  step; and the change of the slope that is always allowed, in units of the largest.
+     *  Half of it mistakes the optimiser's tolerance for jumps sooner; double of it
+     *  overlooks jumps that dissipate so little. */
     constexpr double slope_noise = 1e-3;
 
     PathPoint
@@ -50,7 +51,7 @@ namespace strait
               contact.adhesion->detached};
     }
 
-    /** The change of the energy with what is prescribed; see follow(). */
+    /** The derivative of the energy by what is prescribed; see follow(). */
     double
     slope_of_energy(const PathPoint &point, const ContactControl control)
     {
@@ -61,11 +62,11 @@ namespace strait
     struct Stride
     {
       bool leaps; // the surfaces part, or jumps are sought and it may be one
-      std::optional<Jump> jump;  // what a step that leaps, and can be no shorter, may be
+      std::optional<Jump> jump;  // what a leap that can be no shorter may be
       PathTrend           trend; // how the path goes on if it is smooth
     };
 
-    /** Of an adhesive contact, @p from a state to what is known of another. */
+    /** The step of an adhesive contact @p from one state to the point @p after. */
     Stride
     stride_to(const SealState &from, const PathPoint &after, const StepRule &rule)
     {
@@ -78,10 +79,10 @@ namespace strait
       const double     steepening   = slope_after - slope_before;
       const double     rounding =
         energy_noise * std::max(std::abs(before.energy), std::abs(after.energy));
-      // The largest slope of the path before: this state may be beyond a jump.
+      // Take the largest slope of the path before: this state may be beyond a jump.
       const double noise =
         slope_noise * trend.largest_slope * std::abs(change) + rounding;
-      // How much the energy changes without dissipation, by the slope at either end.
+      // The change of the energy without dissipation, by the slope at either end.
       const auto [least, most] =
         std::minmax({slope_before * change, slope_after * change});
       const double middle = .5 * (least + most);
@@ -96,10 +97,10 @@ namespace strait
                          (rule.jump_tolerance > 0 && (is_steep || !is_as_before)),
                        {},
                        trend};
-      if (after.detached) // without a state that the energy could fall to
+      if (after.detached) // there is no state for the energy to fall to
         stride.jump = Jump{before, after, std::nan("")};
       else if (stride.leaps && !(rise >= least - rounding)) // and not merely steep
-        // The load of the jump is unknown within the step: the middle of the slopes.
+        // The load of the jump is unknown within the step: take the mean of the slopes.
         stride.jump = Jump{before, after, middle - rise};
       stride.trend.largest_slope = std::max(trend.largest_slope, std::abs(slope_after));
       if (change != 0)
@@ -116,7 +117,7 @@ namespace strait
       return state.contact && state.contact->adhesion && !state.fluid;
     }
 
-    /** Whether too much of the load in @p state hangs on when fluid was cut off. */
+    /** Whether too much of the load in @p state depends on when fluid was cut off. */
     bool
     cuts_off_unseen(const SealState &state, const double tolerance)
     {
@@ -125,7 +126,7 @@ namespace strait
                tolerance * std::abs(state.contact->nominal_pressure);
     }
 
-    /** Along a path. */
+    /** The distance of two controls along a path. */
     double
     distance(const Control &a, const Control &b)
     {
@@ -140,8 +141,8 @@ namespace strait
       std::optional<PathPoint> seen = {};
     };
 
-    /** Whether a jump on the way from a state to @p stop is known and not enclosed. What
-     *  was seen there from an earlier state spares one that would be left again. */
+    /** Whether a jump between @p from and @p stop is known and not yet enclosed. What was
+     *  seen at the stop from an earlier state saves solving for one to be discarded. */
     bool
     is_open(const SealState &from, const Stop &stop, const StepRule &rule)
     {
@@ -186,7 +187,7 @@ namespace strait
     Arrival           arrival;
     std::vector<Stop> ahead = {{to}};
     Costs             spent;
-    double            uncertainty = 0.; // of steps that are taken
+    double            uncertainty = 0.; // of the steps taken so far
     int               n_solves    = 0;
     while (!ahead.empty())
       {
@@ -237,7 +238,7 @@ namespace strait
           }
         arrival.state = std::move(state);
         ahead.pop_back();
-        if (changes && ahead.size() > 1) // beyond that a step may be long again
+        if (changes && ahead.size() > 1) // beyond the change, a step may be long again
           ahead.erase(ahead.begin() + 1, ahead.end());
       }
     return arrival;

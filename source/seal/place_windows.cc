@@ -9,16 +9,16 @@ namespace strait
 {
   namespace
   {
-    /** What a throat needs along it: its error falls at least with the square of the
-     *  spacing, and counts by its fraction of the pressure drop. */
+    /** The number of points that a throat needs along it: its error falls at least with
+     *  the square of the spacing, and counts by its fraction of the pressure drop. */
     double
     points_wanted(const ThroatOnPath &throat, const ZoomParameters &zoom)
     {
       return std::sqrt(throat.fraction) * zoom.points_along_throat;
     }
 
-    /** Which windows of @p layout the throats need, and one level more of each, as the
-     *  next state may need it. */
+    /** Mark the windows of @p layout that the throats need, and one level more of each,
+     *  as the next state may need it. */
     std::vector<bool>
     find_needed(const SlabLayout                &layout,
                 const std::vector<ThroatOnPath> &throats,
@@ -81,13 +81,14 @@ namespace strait
         const int  level = point.window < 0 ? 0 : layout.windows()[point.window].level;
         const bool is_coarse = throat.points < wanted && level < zoom.maximum_levels;
         const int  margin    = is_coarse ? ZoomWindow::margin : 0;
-        const int  narrow    = arrangement.narrow_level(point, throat.points + margin);
+        const int  narrow =
+          arrangement.level_with_close_rim(point, throat.points + margin);
         if (narrow > 0 && arrangement.open(narrow, point))
           is_enough = false;
         else if (is_coarse && arrangement.open(level + 1, point))
           {
             is_enough = false;
-            // Of the next level as well: it is known well enough where it will lie.
+            // Open the next level, too: it is known well enough where it will lie.
             if (3. * throat.points < wanted && level + 1 < zoom.maximum_levels)
               arrangement.open(level + 2, point);
           }

@@ -11,12 +11,12 @@ namespace strait
 {
   namespace
   {
-    // Of a region's volume, that a reservoir may reach, and of a pressure, by which
-    // regions that meet may differ, without another solution. Half of it asks for more of
-    // them, double of it leaves pressures that are as much off.
+    // Fraction of a region's volume that a reservoir may reach, and of a pressure by
+    // which regions that meet may differ, without another solution. Half of it asks for
+    // more solutions; double of it leaves pressures that are off by twice as much.
     constexpr double negligible = .01;
 
-    /** What each cluster of trapped fluid has of each owner. Collective. */
+    /** Find the part of each owner in each cluster of trapped fluid. Collective. */
     std::map<std::int64_t, RegionsInGap::Cluster>
     find_parts(const RegionsInGap &in)
     {
@@ -41,8 +41,8 @@ namespace strait
       return trapped;
     }
 
-    /** Give all parts of @p trapped a region. Returns how many there are with those of
-     *  the @p regions. */
+    /** Give each part of @p trapped a region. Returns the number of all regions,
+     *  including the known @p regions. */
     int
     number_regions(std::map<std::int64_t, RegionsInGap::Cluster> &trapped,
                    const std::vector<TrappedRegion>              &regions)
@@ -50,8 +50,8 @@ namespace strait
       auto n = static_cast<int>(regions.size());
       for (auto &[label, cluster] : trapped)
         {
-          // The largest by what it held before: its volume now would change places with
-          // that of a region beside it from round to round.
+          // The largest by its volume before: by their present volumes, neighbouring
+          // regions would change ranks from round to round.
           for (auto &[owner, part] : cluster.parts)
             if (owner >= 0)
               {
@@ -62,7 +62,7 @@ namespace strait
               }
             else if (owner == TrappedFluid::reservoirs)
               part.region = n++;
-          if (cluster.region < 0) // no region of before has any of it
+          if (cluster.region < 0) // no known region has a part in it
             cluster.region =
               cluster.parts.count(TrappedFluid::reservoirs) > 0 ? n - 1 : n++;
           if (const auto opened = cluster.parts.find(TrappedFluid::no_fluid);
@@ -74,11 +74,11 @@ namespace strait
 
     /** The region that @p cluster has become. */
     TrappedRegion
-    heir(const RegionsInGap          &in,
-         const FeedbackParameters    &parameters,
-         const std::vector<double>   &pressures,
-         const RegionsInGap::Cluster &cluster,
-         const bool                   is_guess)
+    merged_region(const RegionsInGap          &in,
+                  const FeedbackParameters    &parameters,
+                  const std::vector<double>   &pressures,
+                  const RegionsInGap::Cluster &cluster,
+                  const bool                   is_guess)
     {
       const auto fluid_of = [&](const std::size_t region) {
         return region < in.known.regions.size()
@@ -99,7 +99,7 @@ namespace strait
       return result;
     }
 
-    /** Whether regions of other pressures have become one in @p cluster. */
+    /** Whether regions of different pressures have become one in @p cluster. */
     bool
     meets_another(const RegionsInGap::Cluster &cluster,
                   const std::vector<double>   &pressures)
@@ -113,8 +113,9 @@ namespace strait
       return false;
     }
 
-    /** Area, mean pressure and compliance; and the change of the mean pressure, had all
-     *  that was cut off kept the volume that it had in @p gap_before. Collective. */
+    /** Compute area, mean pressure, compliances and uncertainty of @p fluid: the last is
+     *  the change of the mean pressure, had all fluid just cut off kept its volume in
+     *  @p gap_before. Collective. */
     void
     measure_regions(const RegionsInGap        &in,
                     const FeedbackParameters  &parameters,
@@ -123,10 +124,10 @@ namespace strait
                     const SlabField           *gap_before,
                     TrappedFluid              &fluid)
     {
-      // A slit or disc of area A and circumference S that is pressed open between walls
-      // in contact all around has dV/dp = 1.6 to 1.7 A²/(S E*), and more where they are
-      // not. Half of it makes rounds overshoot, double of it makes each reach half as
-      // far.
+      // Coefficient of dV/dp = c A²/(S E*) for a region of area A and circumference S. A
+      // slit or disc that is pressed open between walls in contact all around has 1.6 to
+      // 1.7, and more where they are not. Half of it makes rounds overshoot; double of it
+      // makes each reach half as far.
       constexpr double    compliance = 2.5;
       const PeriodicGrid &grid       = in.gap.grid();
       const double        cell       = grid.dx() * grid.dy();
@@ -136,7 +137,7 @@ namespace strait
       SlabField           owner(in.gap.layout_pointer());
       std::copy(fluid.owner.begin(), fluid.owner.end(), owner.begin());
       const RowsAround rows(owner);
-      // Areas, circumferences, what each lost before it was cut off, ∫p.
+      // Areas, circumferences, volumes lost before being cut off, ∫p.
       std::vector<double> sums(3 * n + 1);
       for (int row = 0, k = 0; row < in.gap.layout().n_rows(); ++row)
         for (int ix = 0; ix < nx; ++ix, ++k)
@@ -213,7 +214,7 @@ namespace strait
   }
 
   std::vector<double>
-  RegionsInGap::in_the_wide(const SlabField &field) const
+  RegionsInGap::mean_over_widest_points(const SlabField &field) const
   {
     const std::size_t   n = volumes.size();
     std::vector<double> sums(2 * n);
@@ -238,13 +239,13 @@ namespace strait
                        const SlabField           *gap_before) const
   {
     Settled                     settled;
-    std::map<std::int64_t, int> number;                     // of the region of a cluster
-    std::vector<double>         left(known.regions.size()); // of regions that are trapped
+    std::map<std::int64_t, int> number;                     // of a cluster's region
+    std::vector<double>         left(known.regions.size()); // volume still trapped
     for (const auto &[label, cluster] : trapped)
       {
         number.emplace(label, static_cast<int>(number.size()));
         settled.fluid.regions.push_back(
-          heir(*this, parameters, pressures, cluster, gap_before == nullptr));
+          merged_region(*this, parameters, pressures, cluster, gap_before == nullptr));
         settled.has_changed = settled.has_changed || meets_another(cluster, pressures);
         for (const auto &[owner, part] : cluster.parts)
           if (static_cast<std::size_t>(part.region) < left.size())

@@ -45,20 +45,21 @@ namespace strait
     for (const double next_length : scene.fluid.slip_lengths)
       {
         slip_length = next_length;
-        // A contact, once probed, serves all slip lengths, unless it remembers the way.
+        // A contact, once probed, serves all slip lengths, unless it depends on its path.
         if (!search || scene.depends_on_path())
           {
             search.emplace(ask_load, tolerance, name_of);
-            // Each path comes from nowhere, unless a search goes on that had begun so.
-            if (!repeats())
+            // Each path begins without a past. A search that is resumed had begun so.
+            if (!is_replaying())
               open_state = sealed_state = std::nullopt;
           }
-        const std::size_t begin = next;
-        const Passage passage = enclose(*search, first, -2. * slip_length, side_of_path);
-        const double  by_throat  = search->unresolved_distance(passage,
+        const std::size_t   begin = next;
+        const EnclosingPair passage =
+          enclose(*search, first, -2. * slip_length, side_of_path);
+        const double by_throat   = search->unresolved_distance(passage,
                                                              -2. * slip_length,
                                                              !scene.depends_on_path());
-        Transition   &found      = result.emplace_back(between(*search, passage, begin));
+        Transition  &found       = result.emplace_back(between(*search, passage, begin));
         found.slip_length        = slip_length;
         found.grid_error         = by_throat;
         const PeriodicGrid &grid = layout->grid();
@@ -86,9 +87,9 @@ namespace strait
     return result;
   }
 
-  /** Between a smaller value at which the openness is above @p level and a larger one; on
-   *  the path that comes from @p side, if a path matters. */
-  Passage
+  /** Enclose the transition between a smaller value, where the openness is above
+   *  @p level, and a larger one; on the path that comes from @p side, if paths matter. */
+  EnclosingPair
   SealSearch::enclose(TransitionSearch  &search,
                       const SearchStart &first,
                       const double       level,
@@ -97,16 +98,19 @@ namespace strait
     if (!scene.depends_on_path())
       return scene.contact.zoom.enabled ? search.enclose_surely(first, level)
                                         : search.enclose(first, level);
-    // Where the state is lost the steps along the path tell, with all windows.
-    Passage    found     = search.enclose(first, level);
-    const bool from_open = side == Side::open;
+    // enclose() is enough here: the steps along the path, with all windows, tell where
+    // the state is lost.
+    EnclosingPair found     = search.enclose(first, level);
+    const bool    from_open = side == Side::open;
     if (!from_open)
       std::swap(found.before, found.beyond);
     const auto is_kept = [&](const Probe &probe) {
       return (probe.openness > level) == from_open;
     };
-    const auto passage =
-      search.leave(found.before, found.beyond - found.before, is_kept, found.beyond);
+    const auto passage = search.enclose_loss(found.before,
+                                             found.beyond - found.before,
+                                             is_kept,
+                                             found.beyond);
     if (!passage)
       throw ComputationError("The transition was not found: the seal stays " +
                              std::string(from_open ? "open" : "sealed") +
@@ -120,8 +124,8 @@ namespace strait
     std::vector<BlowOut> result;
     for (const double load : scene.programme.pressures)
       {
-        // The pressure rises from nothing, unless a search goes on that had begun so.
-        if (!repeats())
+        // The pressure rises without a past. A search that is resumed had begun so.
+        if (!is_replaying())
           open_state = sealed_state = std::nullopt;
         result.push_back(blow_out(load));
         const BlowOut &found = result.back();
@@ -148,8 +152,8 @@ namespace strait
     const double      slip   = scene.fluid.slip_lengths.front();
     const double      level  = -2. * slip;
     Side              side   = Side::sealed;
-    // What varies is the inverse of the difference in pressure: the openness falls with
-    // it, as with a load.
+    // The search varies the inverse of the difference in pressure, with which the
+    // openness falls as it does with a load.
     const auto inlet_pressure = [outlet](const double value) {
       return outlet + 1. / value;
     };
@@ -162,7 +166,7 @@ namespace strait
     TransitionSearch search(ask_pressure, scene.programme.threshold_tolerance, name_of);
     const auto leaks = [level](const Probe &probe) { return probe.openness > level; };
     // The lower pressure is at the larger value.
-    const auto in_pressure = [&](const Passage &passage) {
+    const auto in_pressure = [&](const EnclosingPair &passage) {
       Transition result   = between(search, passage, begin);
       result.contact_area = search.at(result.upper).contact_area;
       result.lower        = inlet_pressure(result.upper);
@@ -182,16 +186,16 @@ namespace strait
           0., outlet, outlet, at_least.contact_area, at_least.bottleneck, 1, 0};
         return result;
       }
-    // From a tenth of the load on, for large steps may keep what small ones lose.
-    const Passage opening = enclose(search, {10. / load, .6, none}, level, side);
-    result.opening        = in_pressure(opening);
+    // Begin at a tenth of the load: large steps may keep a state that small ones lose.
+    const EnclosingPair opening = enclose(search, {10. / load, .6, none}, level, side);
+    result.opening              = in_pressure(opening);
     if (result.closing)
       {
         side = Side::open;
-        // Where there is no hysteresis it closes at once.
+        // Without hysteresis the seal closes at once.
         const double leaking = std::min(opening.before, opening.beyond);
         const double step    = scene.programme.threshold_tolerance * leaking;
-        // What opened there is known roughly only.
+        // The state that opened there is known only roughly.
         if (!leaks(search.ask_at(leaking)))
           result.closing = result.opening;
         else if (search.at(leaking).is_parted)
@@ -204,17 +208,17 @@ namespace strait
                      "lower its pressure until it closes again",
                      load));
           }
-        else if (const auto passage = search.leave(leaking, step, leaks))
+        else if (const auto passage = search.enclose_loss(leaking, step, leaks))
           result.closing = in_pressure(*passage);
         result.opening.n_solves = static_cast<int>(next - begin);
       }
     return result;
   }
 
-  /** That of the answers from @p begin on. */
+  /** The transition in @p passage, with the costs of the answers from @p begin on. */
   Transition
   SealSearch::between(const TransitionSearch &search,
-                      const Passage          &passage,
+                      const EnclosingPair    &passage,
                       const std::size_t       begin) const
   {
     Transition result;
@@ -232,7 +236,7 @@ namespace strait
   Probe
   SealSearch::ask(const Control &control, const Side path_comes_from)
   {
-    if (!repeats())
+    if (!is_replaying())
       {
         answers.push_back(probe(control, path_comes_from));
         after_probe();
@@ -250,7 +254,7 @@ namespace strait
   SealSearch::probe(const Control &control, const Side path_comes_from)
   {
     const std::optional<SealState> &near = place_of(path_comes_from);
-    // A path leads on from where it was, not back, unless it is the way back from a load
+    // A path leads on from where it was, not back, except on the way back from a load
     // that left its indentations, along which none are added.
     const bool is_ahead =
       near &&
@@ -264,8 +268,8 @@ namespace strait
     if (!scene.depends_on_path())
       open_state.reset(); // this one takes its place
 
-    // Under pressure a point is closed the more firmly the more its own spacing is
-    // indented: a length, like the gap, and of one slope with it.
+    // How firmly a point is closed is the indentation of one spacing by its pressure: a
+    // length, which continues the gap with the same slope.
     const PeriodicGrid &grid = layout->grid();
     const double        softness =
       std::max(grid.dx(), grid.dy()) / scene.contact.effective_modulus;
@@ -288,7 +292,7 @@ namespace strait
     return result;
   }
 
-  /** Returns whether all solvers converged. */
+  /** Report @p state to the log. Returns whether all solvers converged. */
   bool
   SealSearch::report(const SealState &state, const bool leaks) const
   {

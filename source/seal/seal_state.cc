@@ -58,7 +58,7 @@ namespace strait
                        fluid.converged,
                        fluid.lifted_off);
       }
-    Costs &costs = state.costs; // but for the time that another run has spent
+    Costs &costs = state.costs; // except the time, which another run has spent
     archive.values(state.trend, costs.iterations, costs.fft_pairs, costs.rounds);
   }
 } // namespace strait

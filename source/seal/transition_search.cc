@@ -16,21 +16,21 @@ namespace strait
 {
   namespace
   {
-    /** A value, and the openness there above the level. */
+    /** A value, and by how much the openness there is above the level. */
     struct Point
     {
       double value;
       double openness;
     };
 
-    /** What is known at one level, the last of each side nearest to the transition. */
+    /** The answers at one level, the last of each side nearest to the transition. */
     struct Known
     {
       std::vector<Point> open;   // ascending
       std::vector<Point> sealed; // descending
     };
 
-    // Of its distance from the transition, to which the gap of a throat is proportional.
+    // The gap of a throat goes with this power of the distance from the transition.
     constexpr double power_of_gap = 1.2;
 
     Known
@@ -62,7 +62,7 @@ namespace strait
              std::log((zero - far.value) / (zero - near.value));
     }
 
-    /** Where a power law says that the transition is, of the last points of one side. */
+    /** Where a power law through the last points of one side puts the transition. */
     std::optional<double>
     extrapolate(const std::vector<Point> &side)
     {
@@ -72,14 +72,14 @@ namespace strait
       if (side.size() < 2 || !is_nearer(side.back(), side[side.size() - 2]))
         return {};
       const Point &first = side.back(), &second = side[side.size() - 2];
-      // Of the pressure where a throat is closed.
+      // Likewise of the contact pressure where a throat is closed.
       constexpr double power_of_pressure = .63;
       const double     usual = first.openness > 0 ? power_of_gap : power_of_pressure;
       double           zero  = zero_of(first, second, usual);
       if (side.size() > 2 && is_nearer(second, side[side.size() - 3]) &&
           second.openness != 0.)
         {
-          // What exponent makes a third point lie on the same line.
+          // Find the exponent with which the law passes through a third point, too.
           for (int k = 0; k < iteration_limit; ++k)
             zero = zero_of(first,
                            second,
@@ -90,13 +90,13 @@ namespace strait
       return zero;
     }
 
-    /** What to ask as long as all answers are on one side. */
+    /** The value to ask next as long as all answers are on one side. */
     double
     value_outside(const Known &known, const SearchStart &first, const double tolerance)
     {
-      // A factor. Steps half as long ask more often until the transition is between two
-      // values, steps twice as long leave a wider bracket, and the contact problems at
-      // its far end start from less similar ones.
+      // Factor between values. With steps half as long, it takes more questions until the
+      // transition is between two values; with steps twice as long, it is enclosed less
+      // narrowly, and contact problems at the far end start from less similar ones.
       constexpr double          largest_step = 1.6;
       const bool                upwards      = known.sealed.empty();
       const std::vector<Point> &side         = upwards ? known.open : known.sealed;
@@ -105,18 +105,18 @@ namespace strait
       const double edge   = side.back().value;
       double       factor = side.size() > 1 ? largest_step : 1. + first.step;
       if (const auto guess = extrapolate(side))
-        // A tenth of the way beyond.
+        // Go a tenth of the way beyond.
         if (const double aim = edge + 1.1 * (*guess - edge),
             towards          = upwards ? aim / edge : edge / aim;
             towards > 1)
           factor = std::clamp(towards, 1. + tolerance, largest_step);
-      // Half of the way to the end is left to the next steps.
+      // Leave at least half of the way to the end to the next steps.
       return upwards ? std::min(edge * factor, .5 * (edge + first.end)) : edge / factor;
     }
 
-    /** What interpolates well: on the open side about proportional to the distance from
-     *  the transition. Finite also where the walls part, and not zero, at which a root
-     *  would be found: that is sealed. */
+    /** Transform an @p openness for interpolation: on the open side it becomes about
+     *  proportional to the distance from the transition. It is finite also where the
+     *  walls part, and never zero, which would be taken for the root: zero is sealed. */
     double
     straightened(const double openness)
     {
@@ -137,13 +137,13 @@ namespace strait
   const Probe &
   TransitionSearch::ask_at(const double value)
   {
-    // The answer comes first: asking may throw.
+    // Do not touch the map before the answer is there: asking may throw.
     const Probe answer  = ask(value);
     latest              = value;
     return asked[value] = answer;
   }
 
-  Passage
+  EnclosingPair
   TransitionSearch::enclose(const SearchStart first, const double level)
   {
     Known known = known_at(asked, level);
@@ -181,13 +181,13 @@ namespace strait
     return {found.first, found.second};
   }
 
-  Passage
+  EnclosingPair
   TransitionSearch::enclose_surely(const SearchStart first, const double level)
   {
     while (true)
       {
-        const Passage found = enclose(first, level);
-        bool          stays = true;
+        const EnclosingPair found = enclose(first, level);
+        bool                stays = true;
         for (const double value : {found.before, found.beyond})
           {
             const bool was_open = at(value).openness > level;
@@ -209,11 +209,11 @@ namespace strait
   }
 
   double
-  TransitionSearch::unresolved_distance(const Passage &transition,
-                                        const double   level,
-                                        const bool     may_ask)
+  TransitionSearch::unresolved_distance(const EnclosingPair &transition,
+                                        const double         level,
+                                        const bool           may_ask)
   {
-    // Spacings along a throat of which the grid knows where it closes.
+    // Spacings along a throat that the grid needs to tell where it closes.
     constexpr double resolved  = .5;
     const double     middle    = .5 * (transition.before + transition.beyond);
     const auto       points_at = [&](const Probe &probe) {
@@ -221,7 +221,7 @@ namespace strait
                      ? probe.points * std::sqrt(1. - level / probe.openness)
                      : 0.;
     };
-    // Those nearer to the transition open as the points lie, and not by the law.
+    // Nearer to the transition, throats open as the points lie, and not by the law.
     const auto last_resolved = [&]() {
       auto last = asked.end();
       for (auto probe = asked.begin(); probe != asked.end() && probe->first < middle;
@@ -242,27 +242,27 @@ namespace strait
            std::pow(resolved / points_at(last->second), 2. / power_of_gap);
   }
 
-  std::optional<Passage>
-  TransitionSearch::leave(const double kept,
-                          const double step,
-                          const Kept  &is_kept,
-                          const double lost)
+  std::optional<EnclosingPair>
+  TransitionSearch::enclose_loss(const double kept,
+                                 const double step,
+                                 const Kept  &is_kept,
+                                 const double lost)
   {
-    Passage      at        = {kept, lost};
-    const double typical   = std::isnan(lost) ? kept : std::max(kept, lost);
-    const double direction = step > 0 ? 1. : -1.;
+    EnclosingPair at        = {kept, lost};
+    const double  typical   = std::isnan(lost) ? kept : std::max(kept, lost);
+    const double  direction = step > 0 ? 1. : -1.;
 
-    // Where the state was when it was lost at `beyond`. If that was the last question it
-    // was where it is kept.
-    double     lost_from = latest == lost ? kept : unknown;
-    const auto is_lost   = [&](const double value) {
+    // The value at which the state was before it was lost at `beyond`: the one at which
+    // it is kept, if `lost` was the last question.
+    double     value_before_loss = latest == lost ? kept : unknown;
+    const auto is_lost           = [&](const double value) {
       const bool stays = is_kept(ask_at(value));
       if (stays)
         at.before = value;
       else
         {
-          lost_from = at.before;
-          at.beyond = value;
+          value_before_loss = at.before;
+          at.beyond         = value;
         }
       return !stays;
     };
@@ -270,7 +270,7 @@ namespace strait
       return std::abs(at.beyond - from) <= tolerance * std::max(at.beyond, at.before);
     };
 
-    // To smaller values no step is larger than a half of them.
+    // Towards smaller values, no step is larger than half of the value.
     for (double first = step;; first = direction * tolerance * at.before)
       {
         if (std::isnan(at.beyond))
@@ -280,7 +280,7 @@ namespace strait
               return {};
         while (!is_near(at.before))
           is_lost(.5 * (at.before + at.beyond));
-        if (is_near(lost_from) || is_lost(at.beyond))
+        if (is_near(value_before_loss) || is_lost(at.beyond))
           return at;
         at.beyond = unknown;
       }

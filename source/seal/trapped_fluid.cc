@@ -37,7 +37,7 @@ namespace strait
                    const double              volume,
                    const double              pressure)
   {
-    // Where a gas has no pressure it has no mass. A liquid tears at that of its vapour.
+    // A gas without pressure has no mass. A liquid cavitates at its vapour pressure.
     const bool   is_gas = parameters.trapped_fluid == TrappedFluidLaw::gas;
     const double least  = is_gas ? 0. : parameters.vapour_pressure;
     const auto   excess = [&](const double p) {
@@ -46,7 +46,7 @@ namespace strait
     };
     if (excess(least) >= 0.)
       return least;
-    // The walls yield as the pressure rises, and the fluid shrinks: one pressure fits.
+    // As the pressure rises, walls widen and the fluid shrinks: one pressure fits.
     double lower = least;
     double upper = std::max({pressure, region.pressure, least});
     upper += std::max(0.,

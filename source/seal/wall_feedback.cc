@@ -11,19 +11,19 @@ namespace strait
 {
   namespace
   {
-    // Half as many leave directions out in which the gap and the fluid pull each other
-    // along, which takes more rounds; twice as many take twice the memory, for rounds
-    // from places where the map was another one.
+    // Half as many leave out directions in which gap and fluid amplify each other, which
+    // takes more rounds; twice as many take twice the memory, for rounds from places
+    // where the map was another one.
     constexpr int rounds_combined = 6;
 
-    // Rounds; see the class. Half as many give combinations up that would still have
-    // paid, twice as many lose as many rounds where none does.
+    // Rounds; see the class. Half as many give up combinations that would still pay;
+    // twice as many lose as many rounds where none does.
     constexpr int last_combined = 30;
 
-    // Times that rounds of relaxation open a closed channel until they are taken to go in
-    // a circle. With half as many channels are said to leak that close in the end; twice
-    // as many take twice the rounds, more than there are where circles are long.
-    constexpr int openings_of_circle = 3;
+    // How often rounds of relaxation open a closed channel before this counts as a cycle.
+    // With half as many, channels are said to leak that close in the end; twice as many
+    // take twice the rounds, more than there are where cycles are long.
+    constexpr int openings_of_cycle = 3;
 
     double
     root_mean_square(const SlabField &field)
@@ -41,7 +41,7 @@ namespace strait
       return from;
     }
 
-    /** The difference of two leak rates in parts of the larger one. */
+    /** The difference of two leak rates relative to the larger one. */
     double
     relative_difference(const double a, const double b)
     {
@@ -54,7 +54,7 @@ namespace strait
       return moved(std::move(from), -1., field);
     }
 
-    /** Replace @p a by its mixture with @p b that is smallest. */
+    /** Replace @p a by its smallest mixture with @p b. */
     void
     mix_towards_zero(SlabField &a, const SlabField &b)
     {
@@ -86,7 +86,7 @@ namespace strait
     FeedbackResult      result;
     std::optional<bool> percolated; // in the round before
     int                 openings = 0;
-    if (goal.goes_on && !last_image.empty())
+    if (goal.continues && !last_image.empty())
       {
         propose(last_image, true, goal);
         fixed_point.move_on();
@@ -122,7 +122,7 @@ namespace strait
           }
         if (agrees ||
             stays_in_place(std::move(change), now.leak_rate, goal, combines, result) ||
-            (openings == openings_of_circle && goal.asks_verdict_only()))
+            (openings == openings_of_cycle && goal.asks_verdict_only()))
           {
             result.converged = true;
             last_image       = agrees ? std::move(now.fluid_pressure) : assumed;
@@ -148,8 +148,8 @@ namespace strait
       }
   }
 
-  /** Whether the rounds of relaxation stay within the tolerance of one place, where a
-   *  mixture of their changes is none. The last one has made this @p change. */
+  /** Whether the rounds stay within the tolerance of one place, and a mixture of their
+   *  changes vanishes within it. The last round has made this @p change. */
   bool
   WallFeedback::stays_in_place(SlabField           change,
                                const double        leak_rate,
@@ -159,11 +159,11 @@ namespace strait
   {
     walk.least_leak = std::min(walk.least_leak, leak_rate);
     walk.most_leak  = std::max(walk.most_leak, leak_rate);
-    // In parts of the smaller one: so far from either it reaches the other.
+    // Relative to the smaller one: this far from either rate reaches the other.
     const double leak_change =
       walk.most_leak > walk.least_leak ? walk.most_leak / walk.least_leak - 1. : 0.;
     // While rounds are combined, or the pressure creeps, the leak rate may still settle;
-    // else it is another one on the other side.
+    // otherwise it differs on the two sides of the place.
     const bool still_settles =
       leak_change > goal.leak_tolerance && (combines || result.change <= goal.tolerance);
     if (walk.start.empty() || still_settles ||

@@ -11,8 +11,8 @@ namespace strait
   namespace
   {
     // Points of its parent that a window covers each way. Half of it cuts through the
-    // contact that shapes the throat, double of it costs four times as much; the critical
-    // load depends on neither by more than 1e-6.
+    // contact that shapes the throat, double of it costs four times as much; neither
+    // changes the critical load by more than 1e-6.
     constexpr int window_points = 48;
   } // namespace
 
@@ -49,7 +49,7 @@ namespace strait
   }
 
   int
-  WindowArrangement::narrow_level(GridPoint point, double points) const
+  WindowArrangement::level_with_close_rim(GridPoint point, double points) const
   {
     int level = 0;
     while (point.window >= 0)
@@ -74,7 +74,7 @@ namespace strait
     Placed      window{level, {}, {}, true};
     for (int d = 0; d < 2; ++d)
       {
-        // A place that has gone round the box is the same as that within it.
+        // A place beyond the box is equivalent to its periodic image within.
         const long n_box = period(level, d);
         window.n[d]      = static_cast<int>(std::min<long>(window_points, n_box / 2));
         window.first[d]  = (centre[d] % n_box + n_box) % n_box - window.n[d] / 2;
@@ -88,7 +88,7 @@ namespace strait
     std::sort(placed.begin(), placed.end(), [](const Placed &a, const Placed &b) {
       return std::tie(a.level, a.first) < std::tie(b.level, b.first);
     });
-    // The rim of its parent may push a window onto another one.
+    // Moving a window into its parent may push it onto another one.
     std::vector<Placed> settled;
     for (Placed window : placed)
       if (window.level == 1 || find_parent(settled, window) >= 0)
@@ -111,7 +111,7 @@ namespace strait
     return result;
   }
 
-  /** Points of the lattice that is the parent's of @p level, along axis @p d. */
+  /** Number of points along axis @p d of the lattice on which @p level is placed. */
   long
   WindowArrangement::period(const int level, const int d) const
   {
@@ -121,8 +121,8 @@ namespace strait
     return n;
   }
 
-  /** From the first point of @p a to that of @p b: forwards if that is one of a's, or
-   *  the one behind, else backwards. */
+  /** Offset from the first point of @p a to that of @p b: forwards if that is one of a's
+   *  or the next one behind them, else backwards. */
   long
   WindowArrangement::offset(const Placed &a, const Placed &b, const int d) const
   {
@@ -131,7 +131,7 @@ namespace strait
     return here <= a.n[d] ? here : here - n;
   }
 
-  /** Whether there is no point between them. */
+  /** Whether no point lies between @p a and @p b. */
   bool
   WindowArrangement::touch(const Placed &a, const Placed &b) const
   {
@@ -141,13 +141,13 @@ namespace strait
     return true;
   }
 
-  /** Make @p window the rectangle around itself and @p other, unless that is too
-   *  large. */
+  /** Make @p window the rectangle around itself and @p other. Returns false, without a
+   *  change, if that is too large. */
   bool
   WindowArrangement::join(Placed &window, const Placed &other) const
   {
-    // Windows in a row, each way, of which one is made: more cost more than they are
-    // worth, with fewer one of two neighbouring throats goes without.
+    // Windows in a row, each way, that may be joined to one: more cost more than they are
+    // worth; with fewer, one of two neighbouring throats goes without.
     constexpr long n_joined = 3;
     Placed         result   = window;
     for (int d = 0; d < 2; ++d)
@@ -171,9 +171,9 @@ namespace strait
     return true;
   }
 
-  /** Add @p window to @p others, joined with those that it touches, or in their place
-   *  where that is too large and they are not used. Returns whether there is room for
-   *  it and one of them did not cover it before. */
+  /** Add @p window to @p others, joined with those that it touches, or in their place if
+   *  the result is too large and they are not used. Returns false if there is no room for
+   *  it, or if one in use covers the same already. */
   bool
   WindowArrangement::add(Placed window, std::vector<Placed> &others) const
   {
@@ -197,8 +197,8 @@ namespace strait
     return true;
   }
 
-  /** The number of that of @p candidates that is the parent of @p window, which is
-   *  moved to lie within; −1 if there is none. */
+  /** Return the number of the parent of @p window among @p candidates, −1 if there is
+   *  none. The window is moved to lie within its parent. */
   int
   WindowArrangement::find_parent(const std::vector<Placed> &candidates,
                                  Placed                    &window) const
@@ -213,14 +213,14 @@ namespace strait
         bool         fits   = true;
         for (int d = 0; d < 2; ++d)
           {
-            // A joined one may be as large as there is room.
+            // A joined window may be larger than the room there is.
             found.n[d]       = std::min(window.n[d], parent.n[d] - 2 * margin);
             const int  n     = found.n[d];
             const long last  = parent.n[d] - margin - n;
             long       shift = offset(parent, window, d);
-            if (shift >= last + margin + n / 2) // or it begins before a wide parent
+            if (shift >= last + margin + n / 2) // it begins before a wide parent
               shift -= period(window.level, d);
-            // A little beyond the margin it is moved.
+            // A window that is less than about half outside is moved inside.
             fits           = fits && shift > -n / 2 && shift < last + margin + n / 2;
             found.first[d] = parent.first[d] + std::clamp<long>(shift, margin, last);
           }

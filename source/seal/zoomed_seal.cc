@@ -12,13 +12,13 @@ namespace strait
 {
   namespace
   {
-    // Windows lie around the throats of so many paths. With half as many the throat of a
+    // Number of paths whose throats get windows. With half as many, the throat of a
     // channel that carries a tenth of the flow of a rough contact stayed coarse; twice as
     // many cost a search each, where there are as many.
     constexpr unsigned int n_paths_wanted = 6;
 
-    /** Where a contact that seals would leak first, as if it were a throat: from its
-     * middle to where the barrier ends. */
+    /** The weakest place of the barrier of a contact that seals, as if it were a throat
+     *  that reaches from its middle to where the barrier ends. */
     ThroatOnPath
     weakest_barrier(const SealState &state, const FlowDirection direction)
     {
@@ -28,9 +28,9 @@ namespace strait
       return {barrier.point, 1., static_cast<double>(barrier.reach)};
     }
 
-    /** The windows that @p state should have for @p aim. Once none is lacking those that
-     *  are not needed are left out, unless @p is_trimmed, which is then set. Collective.
-     */
+    /** Return the windows that @p state should have for @p aim. Once none is lacking
+     *  along a channel, those that are not needed are left out, unless @p is_trimmed,
+     *  which is then set. Collective. */
     std::vector<ZoomWindow>
     windows_for(const SealState      &state,
                 const ZoomParameters &zoom,
@@ -39,13 +39,12 @@ namespace strait
                 bool                 &is_trimmed)
     {
       const SlabLayout &layout = state.gap().layout();
-      // Where half of the digits have found the windows, all of them only check the first
-      // path.
+      // After Aim::throats has found windows, the final state only checks the first path.
       const bool         is_known = aim == Aim::leak_rate && is_trimmed;
       const unsigned int n_paths  = aim == Aim::verdict || is_known ? 1 : n_paths_wanted;
       const Channel      channel =
         make_channel(state.gap(), state.control.slip_length, direction, n_paths);
-      // Half of the digits do not tell a barrier from a throat that is about to close.
+      // At this accuracy, a barrier cannot be told from a throat about to close.
       if (!channel.percolates() && aim == Aim::throats)
         return layout.windows();
       std::vector<ThroatOnPath> narrow =
@@ -69,11 +68,11 @@ namespace strait
     return [seal = std::move(seal), zoom, direction, &log](const Control   &control,
                                                            const SealState *from,
                                                            const Aim        aim) {
-      // Windows are found with half of the digits. A search has all of them at once: its
-      // loads are so near to each other that mostly no window changes.
+      // Windows for a leak rate are found at the accuracy of Aim::throats. A search has
+      // its full accuracy at once: its loads are so close that windows rarely change.
       Aim       present_aim = aim == Aim::leak_rate ? Aim::throats : aim;
       SealState state       = seal(control, from, present_aim);
-      bool      is_trimmed  = aim != Aim::leak_rate; // once is enough
+      bool      is_trimmed  = aim != Aim::leak_rate; // for a leak rate, once
       std::vector<std::vector<ZoomWindow>> tried;
       while (true)
         {
@@ -82,7 +81,7 @@ namespace strait
           const std::vector<ZoomWindow> &present = state.gap().layout().windows();
           std::vector<ZoomWindow>        windows =
             windows_for(state, zoom, direction, present_aim, is_trimmed);
-          // Throats that take windows from each other would go on for ever.
+          // Throats that take windows from each other would do so for ever.
           const bool are_found =
             windows == present ||
             std::find(tried.begin(), tried.end(), windows) != tried.end();
@@ -99,7 +98,7 @@ namespace strait
               log.progress(format("  %zu windows at a load of %.8g",
                                   windows.size(),
                                   control.target));
-              // The line to the next state has other points.
+              // Extrapolation to the next state would mix different points.
               state.contact->approach = Approach(state.contact->approach.target());
               state.contact->pressure = zoom_in(state.contact->pressure, windows);
               if (state.fluid)

@@ -16,7 +16,7 @@ namespace strait
   {
     using Complex = std::complex<double>;
 
-    /** The Fourier series of a field on the rows of one window, wave after wave. */
+    /** Sums the Fourier series of a field at the points of one window, wave by wave. */
     class WindowSeries
     {
     public:
@@ -33,13 +33,14 @@ namespace strait
         step                     = {2 * M_PI * dx / grid.lx, 2 * M_PI * dy / grid.ly};
       }
 
-      /** Add a wave of the column kx that add_column() will end. */
+      /** Add a wave of the column kx that add_column() is called with next. */
       void
       add_wave(const int ky, const Complex &amplitude)
       {
         Complex       value = amplitude * std::polar(1., ky * first[1]);
         const Complex turn  = std::polar(1., ky * step[1]);
-        // A value turned from row to row waits for the one before, several do not.
+        // A single value that is turned from row to row waits for the one before; several
+        // do not.
         std::array<double, n_lanes> re, im;
         for (int lane = 0; lane < n_lanes; ++lane, value *= turn)
           {
@@ -80,9 +81,9 @@ namespace strait
       static constexpr int n_lanes = 4;
 
       int                   n_columns, n_rows;
-      std::vector<Complex>  row_sums; // and some beyond the last row
+      std::vector<Complex>  row_sums; // and some after the last row
       double               *values;
-      std::array<double, 2> first, step; // phases of the longest waves
+      std::array<double, 2> first, step; // phases of the longest waves, in x and y
     };
   } // namespace
 
@@ -110,7 +111,7 @@ namespace strait
     for (int w = 0; w < n_windows; ++w)
       series.emplace_back(layout, w, field.data() + layout.start_of_window(w));
 
-    // Waves below the rounding of the field are rounding themselves.
+    // Waves below the rounding error of the field are nothing but rounding errors.
     const double negligible = std::numeric_limits<double>::epsilon() * rms(field);
     int          column     = -1;
     const auto   end_column = [&]() {

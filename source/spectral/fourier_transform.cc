@@ -11,7 +11,7 @@ namespace strait
 {
   namespace
   {
-    /** FFTW's names for what it does with one kind of number. */
+    /** FFTW's names for one type of number. */
     template <class Number>
     struct Fftw;
 
@@ -47,8 +47,8 @@ namespace strait
       static constexpr auto forget_wisdom        = fftwf_forget_wisdom;
     };
 
-    /** As FFTW takes them. A std::vector begins at a multiple of 16 B, as FFTW's vector
-     *  instructions want. */
+    /** The values in FFTW's type. A std::vector begins at a multiple of 16 B, as FFTW's
+     *  vector instructions require. */
     template <class Number>
     typename Fftw<Number>::Complex *
     as_fftw(std::complex<Number> *values)
@@ -61,17 +61,17 @@ namespace strait
   struct BasicFourierTransform<Number>::Parts
   {
     /**
-     * Columns that each rank transforms at a time: two lines of the cache of every row.
-     * With half as many a pair of transforms takes up to a tenth longer, with twice as
-     * many as long or some per cent longer (512² to 2048², on 1 and 2 ranks).
+     * Columns that each rank transforms at a time: two cache lines of every row. With
+     * half as many a pair of transforms takes up to a tenth longer; with twice as many it
+     * takes as long or a few per cent longer (512² to 2048², on 1 and 2 ranks).
      */
-    static constexpr int line        = 64 / sizeof(Complex); // of the cache
+    static constexpr int line        = 64 / sizeof(Complex); // modes in a cache line
     static constexpr int block_width = 2 * line;
 
     explicit Parts(const SlabLayout &layout)
       : comm(layout.communicator())
       , n_ranks(layout.n_ranks())
-      , n_rows_most(layout.first_row_of(1))
+      , most_rows_per_rank(layout.first_row_of(1))
       , n_half(layout.grid().nx / 2 + 1)
       , n_columns_most((n_half + n_ranks - 1) / n_ranks)
       , n_in_row((n_half + line - 1) / line * line)
@@ -79,10 +79,10 @@ namespace strait
       , row(layout.grid().nx)
       , column(layout.grid().ny)
       , spectrum(std::max(layout.grid().ny, n_half))
-      , of_rows(static_cast<std::size_t>(n_ranks) * block_width * n_rows_most)
+      , of_rows(static_cast<std::size_t>(n_ranks) * block_width * most_rows_per_rank)
       , of_columns(n_ranks > 1 ? of_rows.size() : 0)
     {
-      // What was planned before, by measurement perhaps, must not decide.
+      // Plans made before, perhaps by measurement, must not influence these.
       using Library = Fftw<Number>;
       Library::forget_wisdom();
       const auto own = [](auto *plan) {
@@ -107,15 +107,15 @@ namespace strait
                        n_half});
     }
 
-    /** Copy the modes of a block from the rows to of_rows, or @p back. */
+    /** Copy the modes of a block from the rows to of_rows, or @p back into the rows. */
     template <bool back>
     void
     copy_block(const int block)
     {
-      // As many rows at a time as fill a line of the cache with the modes of a column, so
-      // that lines are written as a whole; what the next rows have is on its way
-      // meanwhile. (Copies of members, as a write might change these.)
-      const std::size_t from_row = n_in_row, from_column = n_rows_most,
+      // Take as many rows at a time as fill a cache line with the modes of one column, so
+      // that whole lines are written; the next rows are prefetched meanwhile. (Sizes are
+      // copied from members, which the compiler must otherwise reload after each write.)
+      const std::size_t from_row = n_in_row, from_column = most_rows_per_rank,
                         n_rows = n_modes / from_row;
       for (int rank = 0; rank < n_ranks; ++rank)
         {
@@ -137,30 +137,32 @@ namespace strait
                             *there = in_columns + k * from_column + y;
                     if (back)
                       std::swap(here, there);
-                    // Assigned, its parts would move one after the other.
+                    // An assignment would move the real and the imaginary part
+                    // separately.
                     std::memcpy(there, here, sizeof(Complex));
                   }
             }
         }
     }
 
-    /** move(place in column, place in messages, number) for the modes of each rank. */
+    /** Call move(place in column, place in messages, number of modes) for the part of
+     *  column @p k of the block that each rank has. */
     template <class Move>
     void
     for_each_part_of_column(const int k, const Move &move) const
     {
       const int ny = static_cast<int>(column.size());
-      for (int rank = 0, y = 0; y < ny; ++rank, y += n_rows_most)
+      for (int rank = 0, y = 0; y < ny; ++rank, y += most_rows_per_rank)
         move(y,
-             (static_cast<std::size_t>(rank) * block_width + k) * n_rows_most,
-             std::min(n_rows_most, ny - y));
+             (static_cast<std::size_t>(rank) * block_width + k) * most_rows_per_rank,
+             std::min(most_rows_per_rank, ny - y));
     }
 
-    /** Exchange messages between all ranks, if there are others. Collective. */
+    /** Exchange messages between all ranks, if there is more than one. Collective. */
     void
     exchange(const std::vector<Complex> &from, std::vector<Complex> &to) const
     {
-      const int n = block_width * n_rows_most * static_cast<int>(sizeof(Complex));
+      const int n = block_width * most_rows_per_rank * static_cast<int>(sizeof(Complex));
       if (n_ranks > 1)
         MPI_Alltoall(from.data(), n, MPI_BYTE, to.data(), n, MPI_BYTE, comm);
     }
@@ -173,7 +175,7 @@ namespace strait
       exchange(of_rows, of_columns);
     }
 
-    /** Give them back to the rows of all ranks. Collective. */
+    /** Return them to the rows of all ranks. Collective. */
     void
     return_columns(const int block)
     {
@@ -181,7 +183,7 @@ namespace strait
       copy_block<true>(block);
     }
 
-    /** Find the ny modes of column @p k of the block. */
+    /** Transform column @p k of the block into its ny modes, the spectrum. */
     void
     forward_column(const int k)
     {
@@ -193,7 +195,7 @@ namespace strait
                                    as_fftw(spectrum.data()));
     }
 
-    /** Transform those modes back, into column @p k of the block. */
+    /** Transform the spectrum back into column @p k of the block. */
     void
     backward_column(const int k)
     {
@@ -218,7 +220,7 @@ namespace strait
       return reinterpret_cast<Complex *>((address + 63) / 64 * 64);
     }
 
-    /** What arrived for the columns of this rank. */
+    /** The modes that arrived for the columns of this rank. */
     Complex *
     messages()
     {
@@ -226,15 +228,15 @@ namespace strait
     }
 
     MPI_Comm    comm;
-    int         n_ranks, n_rows_most, n_half, n_columns_most;
-    int         n_in_row; // modes from one row to the next: whole lines of the cache
+    int         n_ranks, most_rows_per_rank, n_half, n_columns_most;
+    int         n_in_row; // modes from one row to the next: whole cache lines
     std::size_t n_modes;
     std::unique_ptr<Number[]> room;     // for the modes of the rows of this rank, or null
     std::vector<Number>       row;      // points of a row
-    std::vector<Complex>      column;   // modes along x of a column
+    std::vector<Complex>      column;   // modes along x of one column
     std::vector<Complex>      spectrum; // the same, also along y
-    // Messages of equal size to and from all ranks: block_width columns, of each the
-    // rows of one rank.
+    // Messages of equal size to and from all ranks: block_width columns, and of each
+    // column the rows of one rank.
     std::vector<Complex>                         of_rows, of_columns;
     std::shared_ptr<typename Fftw<Number>::Plan> row_forward, row_backward,
       column_forward, column_backward;
@@ -255,7 +257,7 @@ namespace strait
   std::complex<Number> *
   BasicFourierTransform<Number>::buffer()
   {
-    // Not set to zeros, which would take a pass over the memory.
+    // The memory is not set to zero, which would take a pass over it.
     if (parts->room == nullptr)
       parts->room.reset(new Number[2 * (parts->n_modes + Parts::line)]);
     return parts->modes();
@@ -274,10 +276,11 @@ namespace strait
   {
     buffer();
     const std::size_t nx = parts->row.size();
-    // From the last to the first, for those of scratch() are closer together than modes.
+    // From the last row to the first: those of scratch() lie closer together than their
+    // modes.
     for (int row = slab_layout->n_rows() - 1; row >= 0; --row)
       {
-        // FFTW strides through its input: that costs less in a row that is in the cache.
+        // FFTW strides through its input, which costs less in a row that is in the cache.
         std::copy_n(in + row * nx, nx, parts->row.data());
         Fftw<Number>::execute_row_forward(parts->row_forward.get(),
                                           parts->row.data(),

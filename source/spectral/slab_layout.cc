@@ -13,7 +13,7 @@ namespace strait
     , comm(communicator)
     , my_rank(rank_in(communicator))
     , number_of_ranks(n_ranks_in(communicator))
-    , n_rows_most((grid.ny + number_of_ranks - 1) / number_of_ranks)
+    , most_rows_per_rank((grid.ny + number_of_ranks - 1) / number_of_ranks)
     , zoom_windows(std::move(windows))
   {
     starts_of_windows.push_back(n_local_points());

@@ -50,7 +50,7 @@ namespace strait
   void
   StateArchive::field(std::vector<Number> &values, const SlabLayout &layout)
   {
-    // A rank without rows has nothing in either case.
+    // A rank without rows has no values in either case.
     bool exists = maximum(layout.communicator(), values.empty() ? 0. : 1.) > 0;
     value(exists);
     if (is_reading())

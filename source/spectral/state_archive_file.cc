@@ -17,7 +17,7 @@ namespace strait
 {
   namespace
   {
-    /** The first bytes. The number is another one whenever the items have changed. */
+    /** The first bytes of a file. The number changes whenever the items do. */
     const std::string signature = "strait checkpoint 31\n";
 
     std::string
@@ -26,7 +26,7 @@ namespace strait
       return path + ".new";
     }
 
-    /** Until a renamed file is safe, its folder must be as well. */
+    /** A renamed file is not safe on the disk until its folder is. */
     void
     sync_folder_of(const std::string &path)
     {
@@ -106,7 +106,7 @@ namespace strait
     remaining = length - signature.size();
   }
 
-  /** Write, or read, these bytes on rank 0. Returns whether they could be read. */
+  /** Write or read these bytes. Returns false if they could not be read. For rank 0. */
   bool
   StateArchive::pass(void *data, const std::size_t size)
   {
@@ -123,7 +123,7 @@ namespace strait
     return true;
   }
 
-  /** Keep the error of a call that has failed, if it is the first. */
+  /** Keep the error of a call that has failed, if it is the first one. */
   void
   StateArchive::keep_error_unless(const bool succeeds)
   {
@@ -131,7 +131,7 @@ namespace strait
       error = errno != 0 ? errno : EIO;
   }
 
-  /** The size of the next item, @p size if it is written. For rank 0. */
+  /** Write @p size as that of the next item, or read that. Returns it. For rank 0. */
   std::size_t
   StateArchive::size_of_item(std::size_t size)
   {
@@ -140,8 +140,8 @@ namespace strait
     return size;
   }
 
-  /** What is read, on all ranks; or @p bytes, which rank 0 writes without the others,
-   *  that may have other ones and fewer or more of them. */
+  /** Read the next item and return it on all ranks; or write the @p bytes of rank 0 and
+   *  return the own ones, which may differ between ranks, also in number. */
   std::string
   StateArchive::item(std::string bytes)
   {
@@ -177,7 +177,7 @@ namespace strait
       if (size_of_item(size) != size)
         refuse();
     });
-    // The file was read before; should it fail now, the others must not wait.
+    // The file was checked before. Should reading fail now, the others must not wait.
     bool              is_complete = true;
     std::vector<char> passed_on(row_size);
     for (int rank = 0; rank < layout.n_ranks(); ++rank)

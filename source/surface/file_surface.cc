@@ -61,9 +61,9 @@ namespace strait
     using Complex = std::complex<double>;
 
     /**
-     * How much of the wave number @p k of @p n points a grid of @p n_target points has. A
-     * wave at the end of the spectrum stands for two: a finer grid knows both, and a
-     * coarser one would fold both together.
+     * The fraction of wave number @p k, on @p n points, that a grid of @p n_target points
+     * carries. The wave at the end of a spectrum stands for two, ±k: a finer grid has
+     * both of them, and a coarser one would fold both together.
      */
     double
     fraction_of_wave(const int k, const int n, const int n_target)
@@ -74,15 +74,15 @@ namespace strait
       return twice == n && n_target > n ? .5 : 1.;
     }
 
-    /** Of a file that does not state its size, that of the scene may be meant for what it
-     *  was before it was turned or cut. */
+    /** Warn if the points of a map without a size are spaced differently along x and y:
+     *  the scene's size may be meant for the map before it was turned or cut. */
     void
     warn_of_long_cells(const HeightMap         &map,
                        const SurfaceParameters &parameters,
                        Remarks                 &remarks)
     {
       const double dx = (*map.size)[0] / map.nx, dy = (*map.size)[1] / map.ny;
-      // A side that is stated to three digits makes cells that are square to that.
+      // Sides that are stated to three digits make cells that are square to about that.
       if (std::abs(dx / dy - 1) <= 1e-2)
         return;
       const double spacing =
@@ -105,7 +105,7 @@ namespace strait
                    const double               shortest,
                    const double               longest)
   {
-    // A wave of the very length that was asked for is kept.
+    // A wave of exactly the limiting length is kept.
     const double q_most  = shortest > 0 ? 2 * M_PI / shortest * (1 + rounding) : HUGE_VAL;
     const double q_least = longest > 0 ? 2 * M_PI / longest * (1 - rounding) : 0.;
 
@@ -170,7 +170,7 @@ namespace strait
       const bool states_size = map.size.has_value();
       if (!states_size)
         {
-          // Those of the scene, before it is mirrored.
+          // The scene's size is that of the map after it is mirrored.
           const double n = parameters.map.make_periodic == MakePeriodic::mirror ? 2. : 1.;
           map.size       = {{parameters.size[0] / n, parameters.size[1] / n}};
           warn_of_long_cells(map, parameters, remarks);

@@ -18,8 +18,8 @@ namespace strait
       return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
     }
 
-    /** At the @p points of @p map: Σ over neighbours in it of w (u − u_neighbour), with
-     *  w = 1/d² of their distance d in spacings along x. */
+    /** Minus the Laplacian at the @p points of @p map: Σ w (u − u_neighbour) over the
+     *  neighbours in it, with w = 1/d² of their distance d in spacings along x. */
     Vector
     differences(const HeightMap                &map,
                 const std::vector<std::size_t> &points,
@@ -46,8 +46,8 @@ namespace strait
     }
 
     /**
-     * Replace NaN by the solution of the discrete Laplace equation with the valid points
-     * as boundary values, and no flux through the edges of the map. At least one point
+     * Replace NaN by the solution of the discrete Laplace equation, with the valid points
+     * as boundary values and no flux through the edges of the map. At least one point
      * must be valid.
      */
     void
@@ -61,13 +61,13 @@ namespace strait
         else
           mean += map.values[k];
       mean /= static_cast<double>(map.values.size() - points.size());
-      // Heights count from the mean, so that the tolerance is one of the roughness.
+      // Heights count from the mean, so that the tolerance is relative to the roughness.
       for (double &value : map.values)
         value = std::isnan(value) ? 0. : value - mean;
 
-      // Conjugate gradients, to far below the digits of a measured height. The residual
-      // has the sign of the differences, and so has the direction, which is zero where
-      // nothing is missing.
+      // Conjugate gradients, to far below the digits of a measured height. Residual and
+      // direction have the sign of the differences, so that steps are subtracted. The
+      // direction is zero at valid points.
       Vector       residual = differences(map, points, map.values);
       Vector       direction(map.values.size(), 0.);
       double       square = dot(residual, residual), last = square;

@@ -19,7 +19,7 @@ namespace strait
 {
   namespace
   {
-    /** The height as a formula of x and y, in which A is the amplitude. */
+    /** The height as a formula in x and y, where A is the amplitude. */
     std::string
     formula_of(const SurfaceParameters &parameters)
     {
@@ -108,15 +108,15 @@ namespace strait
       mu::Parser     parser;
     };
 
-    /** Note in @p remarks if the formula @p height of an expression does not repeat with
-     *  the box, or is not resolved: it has steps at the seam, or between the points of
-     *  @p field, that are larger than any from one point to the next. Collective. */
+    /** Warn in @p remarks if the expression @p height does not repeat with the box, or is
+     *  not resolved: if it has steps at the seam, or within the cells of @p field, that
+     *  are larger than any from one grid point to the next. Collective. */
     void
     check_steps(const Formula &height, const SlabField &field, Remarks &remarks)
     {
       const PeriodicGrid &grid   = field.grid();
       const int           n_rows = field.layout().n_rows();
-      double largest = 0., beside = 0.; // step, and that to a third of the way
+      double largest = 0., beside = 0.; // steps to the next point, and a third of the way
       for (int row = 0; row < n_rows; ++row)
         for (int ix = 0; ix < grid.nx; ++ix)
           {
@@ -160,7 +160,7 @@ namespace strait
             across));
     }
 
-    /** A surface that is given by a formula. */
+    /** The heights of a surface that is given by a formula. Collective. */
     SlabField
     heights_of_formula(const SurfaceParameters &parameters,
                        const SlabLayoutPtr     &layout,
@@ -184,8 +184,9 @@ namespace strait
     }
 
     /**
-     * One map, or the two of two rough bodies face to face: the second one, seen from its
-     * own side, is turned over, so that h(x, y) = h_first(x, y) + h_second(−x, y).
+     * The heights of one map, or of two rough bodies face to face: the second one, seen
+     * from its side, is turned over: h(x, y) = h_first(x, y) + h_second(−x, y).
+     * Collective.
      */
     SlabField
     measured_heights(const SurfaceParameters &parameters,
@@ -209,7 +210,7 @@ namespace strait
       return heights;
     }
 
-    /** What is then inverted and rotated. */
+    /** The heights before they are inverted and rotated. Collective. */
     SlabField
     original_heights(const SurfaceParameters &parameters,
                      const SlabLayoutPtr     &layout,
@@ -227,8 +228,8 @@ namespace strait
     }
 
     /**
-     * Turned by 90° about the origin, counter-clockwise: h(x, y) = h_before(y, −x), where
-     * @p before lives in the box ly × lx. Collective.
+     * Rotate counter-clockwise by 90° about the origin: h(x, y) = h_before(y, −x), where
+     * the box of @p before is ly × lx. Collective.
      */
     SlabField
     rotated(const SlabField &before, const SlabLayoutPtr &layout)
@@ -247,7 +248,7 @@ namespace strait
                const SlabLayoutPtr     &layout,
                Remarks                 *remarks)
   {
-    // The scene's Size is the box of the result; turn it back for the original.
+    // The scene's Size is the box of the result; the original has its sides exchanged.
     SurfaceParameters original        = parameters;
     SlabLayoutPtr     before_rotation = layout;
     if (parameters.rotate)

@@ -11,7 +11,7 @@ namespace strait
 {
   namespace
   {
-    /** What the file's unit is in the scene's; nothing if nobody says. */
+    /** The file's unit over the scene's; nothing if neither file nor scene states it. */
     std::optional<double>
     factor_of(const std::string   &override_text,
               const LengthUnit    &stated,
@@ -38,7 +38,7 @@ namespace strait
     {
       double height = 0.; // rms about the mean
       double slope  = 0.; // rms, of differences between neighbours
-      // Of the rms step between opposite edges over that of neighbours, the larger one of
+      // Rms step between opposite edges over that between neighbours; the larger ratio of
       // those along x and along y.
       double seam = 0.;
     };
@@ -75,7 +75,8 @@ namespace strait
       return result;
     }
 
-    /** One at the centre, zero at the edges: half a cosine over @p width of the side. */
+    /** One at the centre, and zero at the edges, to which it falls as half a period of a
+     *  cosine over the share @p width of the side. */
     double
     window(const int i, const int n, const double width)
     {
@@ -152,7 +153,7 @@ namespace strait
   {
     if (what == Detrend::none)
       return;
-    // The first of 1, x, y, x², xy, y², in coordinates from −1 to 1.
+    // The first terms of 1, x, y, x², xy, y², in coordinates from −1 to 1.
     const int  n_terms  = what == Detrend::mean ? 1 : what == Detrend::tilt ? 3 : 6;
     const auto terms_at = [&map](const std::size_t k) {
       const double x = (2. * static_cast<double>(k % map.nx) + 1) / map.nx - 1;
@@ -171,8 +172,8 @@ namespace strait
               rows[i][n_terms] += terms[i] * map.values[k];
             }
         }
-    // Gauss–Jordan, which needs no pivots for a matrix of products; a term that the
-    // points do not determine is zero.
+    // Gauss–Jordan elimination, which needs no pivoting for normal equations. A
+    // coefficient that the points do not determine is zero.
     std::array<double, 6> coefficients{};
     for (int i = 0; i < n_terms; ++i)
       if (rows[i][i] > rounding * rows[0][0])
@@ -201,9 +202,9 @@ namespace strait
     const Roughness before = roughness(map);
     if (parameters.make_periodic == MakePeriodic::no)
       {
-        // Over those between neighbours. A period of a rough surface has about 1: with
-        // half of it chance would be warned of, with double of it seams pass that act as
-        // walls.
+        // Rms step at the seam over that between neighbours; about 1 for one period of a
+        // rough surface. Half of it would warn of chance; double of it would let seams
+        // pass that act as walls.
         constexpr double largest_step = 3.;
         if (!map.is_periodic && before.seam > largest_step)
           remarks.warnings.push_back(format(

@@ -15,11 +15,11 @@ namespace strait
 {
   namespace
   {
-    // What the classic format calls its lists.
+    // The tags of lists in the classic format.
     constexpr std::uint32_t list_of_dimensions = 10, list_of_variables = 11,
                             list_of_attributes = 12;
 
-    /** The bytes of @p number, the most significant first. */
+    /** Append the bytes of @p number, the most significant first. */
     template <typename Number>
     std::enable_if_t<std::is_arithmetic_v<Number>>
     append(std::string &to, const Number number)
@@ -37,7 +37,7 @@ namespace strait
         append(to, word);
     }
 
-    /** Length and letters, padded to four bytes. */
+    /** Append length and characters of @p text, padded to four bytes. */
     void
     append(std::string &to, const std::string &text)
     {
@@ -45,7 +45,7 @@ namespace strait
       to += text + std::string((4 - text.size() % 4) % 4, '\0');
     }
 
-    /** Those of a variable; @p length is that of a side, or 0 where it is none. */
+    /** Append the attributes of a variable; @p length is 0 if it is not a coordinate. */
     void
     append_attributes(std::string &to, const double length, const std::string &unit)
     {
@@ -67,7 +67,7 @@ namespace strait
         }
     }
 
-    /** The header of CDF-2, with variables one after the other behind it. */
+    /** The header of a CDF-2 file, for variables that follow it one after the other. */
     std::string
     header_of(const PeriodicGrid &grid, const std::string &unit)
     {
@@ -91,7 +91,7 @@ namespace strait
           for (const std::uint32_t dimension : dimensions)
             append(header, dimension);
           append_attributes(header, length, unit);
-          // The last variable may exceed what fits here; this is then how it is said.
+          // If the size of the last variable exceeds 32 bits, the format wants all set.
           append(header,
                  {type_double,
                   static_cast<std::uint32_t>(
@@ -104,7 +104,7 @@ namespace strait
         add("heights", {0, 1}, 0., static_cast<std::uint64_t>(nx) * ny);
         return header;
       };
-      // The length of the header, which places the variables, does not depend on them.
+      // The length of the header does not depend on the positions that follow from it.
       return header_with(header_with(0).size());
     }
   } // namespace

@@ -11,8 +11,8 @@ namespace strait
 {
   namespace
   {
-    /** The frame that a map gives its scene, as values of parameters by their names;
-     * empty where the map does not say. Collective. */
+    /** The size, grid points and unit of length that a map gives its scene, as values of
+     *  parameters by name; empty if the map does not state them. Collective. */
     std::map<std::string, std::string>
     frame_of_map(const SurfaceParameters &surface)
     {
@@ -21,12 +21,12 @@ namespace strait
         HeightMap map = read_height_map(surface.map.file);
         cut_window(map, surface);
         convert_to_scene_units(map, surface.map);
-        // Nothing else that is done to a map changes its frame.
+        // No other processing changes the size or the number of points.
         const int n = surface.map.make_periodic == MakePeriodic::mirror ? 2 : 1;
         grid_points = scene_pair(surface, n * map.nx, n * map.ny);
         if (map.size)
           size = scene_pair(surface, n * (*map.size)[0], n * (*map.size)[1]);
-        // Lengths of a map with units are converted to metres.
+        // Without Units/Length, lengths of a map with units are converted to metres.
         if (map.lateral_unit.metres && surface.map.lateral_unit.empty())
           unit = "m";
       });
@@ -40,7 +40,7 @@ namespace strait
   read_scene(const std::string &path, const Overrides &overrides)
   {
     const std::vector<SceneEntry> entries = read_entries(path, overrides);
-    // What is left to the map: it is not there, or empty at last.
+    // What is left to the map: entries that are missing, or empty where they come last.
     std::vector<SceneEntry> open, completed = entries;
     for (const auto &[section, name] : {std::pair{"Surface", "Size"},
                                         std::pair{"Contact", "Grid points"},

@@ -16,7 +16,7 @@ namespace strait
 {
   namespace
   {
-    /** No grid resolves more. */
+    /** No grid resolves more waves along a side. */
     constexpr int most_waves_in_a_box = most_grid_points / 2;
 
     double
@@ -52,7 +52,7 @@ namespace strait
                                        MPI_Comm                 communicator)
     : parameters(parameters_)
     , roll_off(1 / parameters.roll_off_wavelength)
-    // The cut-off excludes waves on it; the margin makes that safe from rounding.
+    // The cut-off itself is excluded; the margin makes that safe from rounding.
     , cut_off((1 - rounding) / parameters.short_cut_off_wavelength)
   {
     if (std::max(parameters.size[0], parameters.size[1]) * cut_off > most_waves_in_a_box)
@@ -84,8 +84,8 @@ namespace strait
   SelfAffineSurface::band_sum(MPI_Comm communicator) const
   {
     const auto &size = parameters.size;
-    // Lines of constant kx are dealt out to the ranks and added up in the same
-    // order everywhere, so that the sum does not depend on their number. One
+    // Lines of constant kx are distributed over the ranks, but added up in the same
+    // order everywhere, so that the sum does not depend on the number of ranks. One
     // quadrant stands for all four.
     const int           largest_kx = static_cast<int>(size[0] * cut_off) + 1;
     const int           largest_ky = static_cast<int>(size[1] * cut_off) + 1;
@@ -123,7 +123,7 @@ namespace strait
   std::complex<double>
   SelfAffineSurface::mode(const int kx, const int ky) const
   {
-    // Draw for one of q and −q only: the surface is real.
+    // Draw for only one of q and −q: the surface is real.
     if (kx < 0 || (kx == 0 && ky < 0))
       return std::conj(mode(-kx, -ky));
     const double variance = spectrum(kx, ky);
@@ -135,7 +135,7 @@ namespace strait
              static_cast<std::uint64_t>(ky));
     const double phase   = 2 * M_PI * uniform(absorb(state, 1));
     double       modulus = std::sqrt(variance);
-    // Box and Muller's transform, scaled to a mean square of one.
+    // The Box–Muller transform, scaled to a mean square of one.
     if (parameters.amplitudes == Amplitudes::gaussian)
       modulus *= std::sqrt(-std::log(uniform(absorb(state, 2))));
     return std::polar(modulus, phase);
@@ -148,7 +148,7 @@ namespace strait
       return {};
     const double wavelength = parameters.short_cut_off_wavelength;
     const double n_points   = wavelength / std::max(grid.dx(), grid.dy());
-    // Four points are four points, however Size was rounded.
+    // Exactly n points are not fewer than n, however Size was rounded.
     const auto fewer_than = [n_points](const int n) {
       return n_points < n * (1 - rounding);
     };

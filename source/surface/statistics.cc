@@ -57,17 +57,17 @@ namespace strait
       return line;
     }
 
-    /** The bins up to a cut-off, in logarithms. */
+    /** The logarithms of the bins up to a cut-off. */
     std::vector<Sample>
     usable(const std::vector<SpectrumBin> &spectrum)
     {
-      // From one bin to the next: what falls by more is a cut-off. With half of it one
-      // that lies within a bin may pass for a part of the law, with double of it the
-      // scatter of the first bins, of a few waves each, may sooner pass for a cut-off.
+      // Density of a bin over that of the one before: less is a cut-off. With half of it,
+      // one that lies within a bin may pass for a part of the law; with double of it, the
+      // scatter of the first bins, of a few waves each, may pass for a cut-off.
       constexpr double drop = 1e-3;
-      // An average over n waves scatters by 1/n; no law holds better than to 10 %. With
-      // half of it the last bins, of many waves, weigh more against the first, with
-      // double of it less.
+      // The average over n waves has a relative variance of 1/n, and no law holds better
+      // than to 10 %. With half of it the last bins, of many waves, weigh more against
+      // the first ones, with double of it less.
       constexpr double    model_variance = 0.01;
       std::vector<Sample> samples;
       double              before = 0;
@@ -75,7 +75,7 @@ namespace strait
         {
           if (!(bin.density > drop * before))
             {
-              // The cut-off lies within the bin before, which is thus not full.
+              // The cut-off lies within the bin before, which is thus incomplete.
               if (!samples.empty())
                 samples.pop_back();
               break;
@@ -155,13 +155,13 @@ namespace strait
   std::optional<SelfAffineFit>
   fit_self_affine(const std::vector<SpectrumBin> &spectrum)
   {
-    // Bins, three of which lie above the roll-off. With half of them the fit would have
-    // more parameters than data, double of them refuses small grids.
+    // Number of bins, three of which lie above the roll-off. With half of it the fit
+    // would have more parameters than data; double of it refuses small grids.
     const std::vector<Sample> samples      = usable(spectrum);
     constexpr std::size_t     least_needed = 5;
     if (samples.size() < least_needed)
       return {};
-    // The best roll-off between each two bins, of which three at least must lie above it.
+    // The best roll-off between each two adjacent bins; at least three must lie above it.
     const double first = samples.front().log_q;
     const auto   chi2  = [&samples](const double place) {
       return fit_line(samples, place).chi2;

@@ -40,8 +40,8 @@ namespace strait
   gap_histogram(const SlabField &gap, std::vector<double> edges, const double closed)
   {
     const std::size_t n = edges.size() - 1;
-    // Of each bin the number of points and the sum of their gaps, weighted by area; at
-    // last the contact.
+    // The number of points of each bin and the sum of their gaps, weighted by area; then
+    // the contact.
     std::vector<double> sums(2 * n + 1, 0.);
     for (const SlabLayout::Range &range : gap.layout().ranges())
       for (std::size_t point = range.begin; point < range.end; ++point)
@@ -93,8 +93,8 @@ namespace strait
           gaps.fractions[k] * (cubes[k] - effective) / (cubes[k] + (n - 1) * effective);
       return sum;
     };
-    // Between the results for the least and the most conductivity throughout, and as much
-    // beyond as rounding needs if all that conducts does so alike.
+    // Between the results for the smallest and for the largest conductivity everywhere,
+    // widened for the rounding if all open gaps conduct alike.
     const double   from       = std::log(alone * cubes.front()) - 1.;
     const double   to         = std::log(alone * cubes.back()) + 1.;
     std::uintmax_t most_steps = 200;

@@ -14,13 +14,13 @@ namespace strait
 {
   namespace
   {
-    // At which exp(−x) is a rounding error of 1, and so are erfc(√x) and W(√x).
-    const double vanishing = -std::log(std::numeric_limits<double>::epsilon());
+    // The x at which exp(−x) is a rounding error of 1, as are erfc(√x) and W(√x).
+    const double negligible_exponent = -std::log(std::numeric_limits<double>::epsilon());
 
-    // Beyond it W is less than a rounding error of 1.
-    const double largest_compression = std::sqrt(vanishing);
+    // Beyond this argument W is less than a rounding error of 1.
+    const double largest_compression = std::sqrt(negligible_exponent);
 
-    /** Probability that |separation + roughness z| < u, z normal. */
+    /** Return the probability of |separation + roughness z| < u, z standard normal. */
     double
     fraction_below(const GapLayer &layer, const double u)
     {
@@ -29,7 +29,7 @@ namespace strait
                    std::erf((u + layer.separation) * scale));
     }
 
-    /** exp(s²) ∫_s^∞ erf²(t) exp(−t²) dt/t, in the variable t² − s². */
+    /** Return exp(s²) ∫_s^∞ erf²(t) exp(−t²) dt/t, taken over t² − s². */
     double
     saturated_part(const double s)
     {
@@ -49,7 +49,7 @@ namespace strait
     : waves(std::move(spectrum))
     , modulus(effective_modulus)
     , gamma(gamma_)
-    , saturated(saturated_part, 0., largest_compression)
+    , erf_square_part(saturated_part, 0., largest_compression)
     , fineness(fineness_)
   {
   }
@@ -63,7 +63,7 @@ namespace strait
   YieldingAreas
   PerssonTheory::contact_areas(const double pressure, const double hardness) const
   {
-    // Standard deviation of the pressure, E* ḡ/2, beyond nine of which nothing arrives.
+    // Standard deviation of the pressure, E* ḡ/2; beyond nine of them nothing arrives.
     const double spread = .5 * modulus * std::sqrt(waves.slope_square());
     const double far    = 9. * spread;
     if (hardness - pressure > far)
@@ -73,8 +73,8 @@ namespace strait
         const double elastic = contact_area(hardness - pressure);
         return {elastic, 1. - elastic};
       }
-    // The fractions that have not been absorbed are sines that decay, e_n; for the next
-    // ones of a sum of at most 54 to be a rounding error.
+    // What is not absorbed yet is a sum of decaying sines. It takes at most 54 of them
+    // until the next ones are a rounding error.
     double elastic = 0., plastic = pressure / hardness;
     for (int n = 1;; ++n)
       {
@@ -83,8 +83,8 @@ namespace strait
                             std::sin(n * M_PI * pressure / hardness);
         elastic += n % 2 == 1 ? 2 * term : 0.;
         plastic -= n % 2 == 1 ? term : -term;
-        if (.5 * decay * decay > vanishing)
-          return {elastic, std::max(plastic, 0.)}; // less is rounding
+        if (.5 * decay * decay > negligible_exponent)
+          return {elastic, std::max(plastic, 0.)}; // below zero is rounding
       }
   }
 
@@ -93,11 +93,11 @@ namespace strait
   {
     if (s >= largest_compression)
       return 0.;
-    // In double precision as it stands, four times as fast as Boost's default.
+    // Without promotion of double, four times as fast as Boost's default.
     using Policy =
       boost::math::policies::policy<boost::math::policies::promote_double<false>>;
     return .5 * gamma * boost::math::expint(1, s * s, Policy()) +
-           3 * (1 - gamma) * std::exp(-s * s) * saturated(s);
+           3 * (1 - gamma) * std::exp(-s * s) * erf_square_part(s);
   }
 
   double
@@ -106,7 +106,7 @@ namespace strait
     const double left_over = waves.slope_square() - seen;
     if (!(left_over > 0))
       return 0.;
-    // In ln v all is smooth but the corners of the spectrum.
+    // As a function of ln v all is smooth, except at the corners of the spectrum.
     const double        end    = .5 * std::log(left_over);
     std::vector<double> breaks = {std::log(smoothed / largest_compression)};
     for (const RadialSpectrum::Section &section : waves.sections)
@@ -138,17 +138,17 @@ namespace strait
   std::vector<double>
   PerssonTheory::magnifications(const double smoothed) const
   {
-    // Where the contact area falls: in equal ratios of ḡ². Beneath the first, the area
-    // is complete to rounding.
+    // Where the contact area falls: equal ratios of ḡ². Below the first one, the whole
+    // area is in contact, to rounding.
     const double        last   = waves.slope_square();
     std::vector<double> slopes = {last};
     const int           n      = 128 * fineness;
-    const double        first  = smoothed * smoothed / vanishing;
+    const double        first  = smoothed * smoothed / negligible_exponent;
     for (int k = 0; k < n && first < last; ++k)
       slopes.push_back(first * std::pow(last / first, static_cast<double>(k) / n));
 
-    // Dense in q where the remaining roughness vanishes; and at the corners, up to which
-    // all is smooth.
+    // Dense in q where the remaining roughness vanishes. Also the corners of the
+    // spectrum, as everything is smooth between them.
     const double lowest = waves.sections.front().from;
     const double band   = waves.sections.back().to / lowest;
     const auto   add    = [&](const double q) {
@@ -173,7 +173,7 @@ namespace strait
     state.mean_gap        = mean_gap(0., smoothed);
 
     const std::vector<double> slopes = magnifications(smoothed);
-    double                    gap = 0., open = 0., height = 0.; // of the last one
+    double                    gap = 0., open = 0., height = 0.; // at the last k
     for (std::size_t k = 0; k < slopes.size(); ++k)
       {
         const double x           = smoothed / std::sqrt(slopes[k]);
@@ -187,8 +187,8 @@ namespace strait
         const double fraction = open - last_open;
         if (k == 0 || !(fraction > 0))
           continue;
-        // d(ūA)/dA as a quotient of differences, without that of products close to
-        // each other.
+        // d(ūA)/dA as a quotient of differences, but without the difference of two
+        // products that are close to each other.
         state.layers.push_back({fraction,
                                 .5 * (gap + last_gap) + (1 - .5 * (open + last_open)) *
                                                           (last_gap - gap) / fraction,
@@ -202,7 +202,7 @@ namespace strait
                               const double        closed,
                               const int           merged) const
   {
-    // Where 1e-6 of the shortest waves' height is a gap, the fluid does not notice.
+    // Gaps of 1e-6 of the height of the shortest waves do not matter to the fluid.
     const double    shortest = std::sqrt(waves.height_square_above(
       .5 * (waves.sections.back().to + waves.sections.front().from)));
     GapDistribution result;
@@ -214,12 +214,12 @@ namespace strait
     result.fractions.assign(n, 0.);
     for (const GapLayer &layer : state.layers)
       {
-        // That of zero is 0/0 in a layer that has neither roughness nor separation.
+        // The fraction below 0 is 0/0 in a layer with neither roughness nor separation.
         double below = closed > 0 ? fraction_below(layer, closed) : 0.;
         result.contact_area += layer.fraction * below;
         for (std::size_t k = 0; k < n; ++k)
           {
-            // Whatever is larger belongs to the last bin; the walls are far apart there.
+            // All larger gaps belong to the last bin; the walls are far apart there.
             const double next =
               k + 1 < n ? fraction_below(layer, closed + result.edges[k + 1]) : 1.;
             result.fractions[k] += layer.fraction * (next - below);

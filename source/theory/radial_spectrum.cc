@@ -12,14 +12,14 @@ namespace strait
 {
   namespace
   {
-    /** ∫ from 1 to e^x of t^(power − 1) dt. */
+    /** Return ∫ t^(power − 1) dt from 1 to e^x. */
     double
     growth(const double power, const double x)
     {
       return power == 0. ? x : std::expm1(power * x) / power;
     }
 
-    /** The x at which growth() reaches @p fraction of its value at @p end. */
+    /** Return the x at which growth() is @p fraction of its value at @p end. */
     double
     inverse_growth(const double power, const double fraction, const double end)
     {
@@ -27,7 +27,7 @@ namespace strait
                          : std::log1p(fraction * std::expm1(power * end)) / power;
     }
 
-    /** That which @p q lies in, if it is within the band. */
+    /** Return the section that contains @p q, if @p q is within the band. */
     std::vector<RadialSpectrum::Section>::const_iterator
     section_of(const std::vector<RadialSpectrum::Section> &sections, const double q)
     {
@@ -141,9 +141,9 @@ namespace strait
   RadialSpectrum
   measured_spectrum(const SlabField &heights)
   {
-    // Rings of the width of one wave, later of a fiftieth of their radius: half of that
-    // is twice as many rings to integrate over, double of it smooths the spectrum twice
-    // as much.
+    // Rings are as wide as the step between waves, and further out a fiftieth of their
+    // radius. Half of that makes twice as many rings to integrate over; double of it
+    // smooths the spectrum twice as much.
     constexpr double    widest = 1.02;
     const PeriodicGrid &grid   = heights.grid();
     const double        step   = 2 * M_PI / std::max(grid.lx, grid.ly);
@@ -166,7 +166,7 @@ namespace strait
     FourierTransform(heights.layout_pointer()).analyze(heights.data(), add_mode);
     sum_in_place(heights.layout().communicator(), sums);
 
-    // What adds nothing to the sum is rounding beyond the shortest wave, no roughness.
+    // Rings beyond the shortest wave hold only rounding: they add nothing to the sum.
     double total = 0;
     for (std::size_t k = 0; k < n_rings; ++k)
       total += sums[2 * k + 1];
@@ -176,7 +176,7 @@ namespace strait
       --n_used;
     double from = edges.front();
     for (std::size_t k = 0; k < n_used; ++k)
-      if (sums[2 * k] > 0) // an empty ring belongs to the next
+      if (sums[2 * k] > 0) // an empty ring becomes part of the next
         {
           sections.push_back({from, edges[k + 1], 0., sums[2 * k], sums[2 * k + 1]});
           from = edges[k + 1];

@@ -21,6 +21,14 @@ TEST(Scene, SeedsAreOfSurfacesThatDiffer)
   expect_in("would be copies", error_of("", seeds + Overrides{"Surface/Kind=sine"}));
 }
 
+TEST(Scene, AnOrientationAloneIsARealisation)
+{
+  EXPECT_FALSE(scene_of("").realisations.enabled());
+  EXPECT_FALSE(scene_of("", {"Realisations/Orientations=as is"}).realisations.enabled());
+  EXPECT_TRUE(
+    scene_of("", {"Realisations/Orientations=inverted"}).realisations.enabled());
+}
+
 TEST(Scene, MeshAndWhatGoesWithIt)
 {
   EXPECT_TRUE(scene_of("").fluid.mesh_file.empty());

@@ -191,24 +191,24 @@ namespace
     constexpr double   limit = 1.;
     const DenseProblem problem(Quality::none);
     for (const double mean : {1e-3, .3, .999})
-      for (const bool all_move : {true, false})
+      for (const bool shifts_all : {true, false})
         {
           std::vector<double>       before(problem.size);
-          std::vector<std::uint8_t> may_move(problem.size, 1);
+          std::vector<std::uint8_t> is_active(problem.size, 1);
           for (std::size_t i = 0; i < before.size(); ++i)
             {
               before[i] = .7 + 2 * std::sin(17. * static_cast<double>(i));
-              if (!all_move && i % 9 == 0)
+              if (!shifts_all && i % 9 == 0)
                 {
-                  may_move[i] = 0;
-                  before[i]   = i % 2 == 0 ? 0. : limit;
+                  is_active[i] = 0;
+                  before[i]    = i % 2 == 0 ? 0. : limit;
                 }
             }
           std::vector<double> p = before;
           const WithinLimits  within =
-            within_limits(problem, {true, mean, limit}, may_move, p.data());
+            within_limits(problem, {true, mean, limit}, is_active, p.data());
           for (std::size_t i = 0; i < p.size(); ++i)
-            p[i] = within(p[i], may_move[i] != 0);
+            p[i] = within(p[i], is_active[i] != 0);
           // The shift of those between the limits; the others would have gone further.
           double least = -INFINITY, most = INFINITY, total = 0;
           int    n_held = 0;
@@ -216,9 +216,9 @@ namespace
             {
               const double shift = p[i] - before[i];
               total += problem.weight(i) * p[i];
-              n_held += may_move[i] == 0 && p[i] == before[i];
+              n_held += is_active[i] == 0 && p[i] == before[i];
               EXPECT_TRUE(p[i] >= 0 && p[i] <= limit);
-              if (may_move[i] == 0 && mean == .3)
+              if (is_active[i] == 0 && mean == .3)
                 continue;
               least = p[i] > 0 ? std::max(least, shift) : least;
               most  = p[i] < limit ? std::min(most, shift) : most;
@@ -226,7 +226,7 @@ namespace
           EXPECT_LE(least, most + 1e-15);
           EXPECT_NEAR(sum(MPI_COMM_WORLD, total) / mean, 1., 1e-13);
           // Those that are held cannot carry the other means.
-          if (!all_move && mean == .3 && !p.empty())
+          if (!shifts_all && mean == .3 && !p.empty())
             {
               EXPECT_EQ(n_held, 7);
             }

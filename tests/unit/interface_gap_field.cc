@@ -91,7 +91,7 @@ namespace strait
         for (int b = 0; b < factor; ++b)
           for (int a = 0; a < factor; ++a)
             parts.push_back({cell.exponent, factor * cell.i + a, factor * cell.j + b});
-        const CellAnswers   answers = finer.ask(coefficient, parts);
+        const CellMoments   answers = finer.moments_on(coefficient, parts);
         const MomentSet    &set     = finer.moment_set();
         std::vector<double> result(set.size());
         const double        edge = 1. / factor;
@@ -122,13 +122,13 @@ namespace strait
               if (is_in_first(i, j) && !is_third && i >= 6 && i <= 11 && j >= 19 &&
                   j <= 23)
                 continue; // a mixture of two levels
-              const CellAnswers answer   = levels.ask(coefficient, {cell});
+              const CellMoments moments_of_own = levels.moments_on(coefficient, {cell});
               const auto        expected = is_third ? sum_up(finest, 9, coefficient, cell)
                                            : is_window ? sum_up(fine, 3, coefficient, cell)
                                                        : sum_up(coarse, 1, coefficient, cell);
               ++n_compared[is_third ? 2 : is_window ? 1 : 0];
               for (std::size_t m = 0; m < expected.size(); ++m)
-                EXPECT_NEAR(answer[0][m], expected[m], 1e-11 * (1. + expected[0]))
+                EXPECT_NEAR(moments_of_own[0][m], expected[m], 1e-11 * (1. + expected[0]))
                   << i << ' ' << j << ' ' << m;
             }
       EXPECT_EQ(n_compared[2], 2 * 4 * 3);
@@ -154,7 +154,7 @@ namespace strait
                 std::vector<GridCell> asked = {cell};
                 for (int child = 0; child < 4; ++child)
                   asked.push_back(cell.child(child));
-                const CellAnswers   answers = levels.ask(coefficient, asked);
+                const CellMoments   answers = levels.moments_on(coefficient, asked);
                 std::vector<double> sums(set.size());
                 for (int child = 0; child < 4; ++child)
                   set.add_child(sums.data(), &answers(child + 1, 0), child);
@@ -179,15 +179,15 @@ namespace strait
         cells.insert(cells.end(),
                      {{0, k, 4}, {0, k, 10}, {-1, 2 * k, 3}, {-2, 17, 4 * k}});
       cells.push_back({1, 8, 8});
-      const auto x = a.ask(Coefficient::conductivity, cells);
-      const auto y = b.ask(Coefficient::conductivity, cells);
+      const auto x = a.moments_on(Coefficient::conductivity, cells);
+      const auto y = b.moments_on(Coefficient::conductivity, cells);
       for (std::size_t c = 0; c < cells.size(); ++c)
         for (int m = 0; m < a.moment_set().size(); ++m)
           EXPECT_EQ(x[c][m], y[c][m]);
       // And when there are none any more.
       a.update(without);
-      EXPECT_EQ(a.ask(Coefficient::conductivity, {{0, 7, 7}})[0][0],
-                b.ask(Coefficient::conductivity, {{0, 7, 7}})[0][0]);
+      EXPECT_EQ(a.moments_on(Coefficient::conductivity, {{0, 7, 7}})[0][0],
+                b.moments_on(Coefficient::conductivity, {{0, 7, 7}})[0][0]);
     }
 
     FluidParameters

@@ -266,7 +266,7 @@ namespace strait
               const GapFactor one(1e-7, [](double) { return 1.; });
               const double    viscous   = network.conductance(one);
               const double    molecular = network.conductance(*flow.molecular_weight);
-              const double    of_two    = flow.least_of_two(viscous, molecular);
+              const double    of_two    = flow.two_gas_lower_bound(viscous, molecular);
               EXPECT_LE(of_two, exact) << n;
               n_closer += of_two > lower ? 1 : 0;
               // Each of the gases alone, and what the other adds at least to it.

@@ -10,7 +10,7 @@ namespace strait
 {
   /** How far the ends of @p passage are apart, in parts of the larger one. */
   inline double
-  relative_width(const Passage &passage)
+  relative_width(const EnclosingPair &passage)
   {
     return std::abs(passage.beyond - passage.before) /
            std::max(passage.before, passage.beyond);

@@ -143,12 +143,12 @@ namespace
 
   TEST(Guards, MostMemoryIsThatOfTheLargestFields)
   {
-    const double              before = most_memory(MPI_COMM_SELF);
+    const double              before = peak_memory(MPI_COMM_SELF);
     const double              bytes  = before + 1e8; // whatever is there already
     const std::vector<double> field(static_cast<std::size_t>(bytes / 8), 1.);
     EXPECT_NEAR(field.back(), 1., 0.);
-    EXPECT_GT(most_memory(MPI_COMM_SELF), bytes);
-    EXPECT_LT(most_memory(MPI_COMM_SELF), before + bytes + 2e7);
+    EXPECT_GT(peak_memory(MPI_COMM_SELF), bytes);
+    EXPECT_LT(peak_memory(MPI_COMM_SELF), before + bytes + 2e7);
   }
 
   TEST(Guards, Memory)

@@ -310,9 +310,9 @@ namespace
     };
     EXPECT_EQ(check_of("steep").number, .5);
     EXPECT_EQ(check_of("steep").limit, .3);
-    EXPECT_FALSE(check_of("steep").is_least || check_of("steep").holds());
+    EXPECT_FALSE(check_of("steep").is_lower_limit || check_of("steep").holds());
     expect_in("the rms slope", check_of("steep").advice);
-    EXPECT_TRUE(check_of("coarse-throat").is_least);
+    EXPECT_TRUE(check_of("coarse-throat").is_lower_limit);
     EXPECT_EQ(check_of("coarse-throat").limit, 3.);
   }
 

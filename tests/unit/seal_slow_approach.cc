@@ -63,7 +63,7 @@ namespace strait
       Keeper           state(1.37);
       TransitionSearch search =
         searching([&](const double value) { return state.keeps(value); });
-      const auto found = search.leave(.5, 1., is_open, 1.2);
+      const auto found = search.enclose_loss(.5, 1., is_open, 1.2);
       ASSERT_TRUE(found);
       EXPECT_LE(found->before, 1.37);
       EXPECT_GT(found->beyond, 1.37);
@@ -76,7 +76,7 @@ namespace strait
     {
       int              n_asked = 0;
       TransitionSearch search  = searching([&](double) { return ++n_asked == 0; });
-      const auto       found   = search.leave(1., 1., is_open, 1. + tolerance);
+      const auto       found   = search.enclose_loss(1., 1., is_open, 1. + tolerance);
       ASSERT_TRUE(found);
       EXPECT_EQ(n_asked, 1);
       EXPECT_EQ(found->before, 1.);
@@ -86,7 +86,7 @@ namespace strait
     TEST(SlowApproach, GoesDownAsWell)
     {
       TransitionSearch search = searching([](const double value) { return value >= .3; });
-      const auto       found  = search.leave(1., -1., is_open, .9);
+      const auto       found  = search.enclose_loss(1., -1., is_open, .9);
       ASSERT_TRUE(found);
       EXPECT_GE(found->before, .3);
       EXPECT_LT(found->beyond, .3);
@@ -96,9 +96,9 @@ namespace strait
     TEST(SlowApproach, SaysThatAStateIsNeverLost)
     {
       TransitionSearch search = searching([](double) { return true; });
-      EXPECT_FALSE(search.leave(1., -1., is_open, .9));
-      EXPECT_FALSE(search.leave(1., 1., is_open, 1.1));
-      EXPECT_FALSE(search.leave(1., 1., is_open));
+      EXPECT_FALSE(search.enclose_loss(1., -1., is_open, .9));
+      EXPECT_FALSE(search.enclose_loss(1., 1., is_open, 1.1));
+      EXPECT_FALSE(search.enclose_loss(1., 1., is_open));
     }
 
     TEST(SlowApproach, LeavesInSmallStepsDownAndInLargeOnesUp)
@@ -111,7 +111,7 @@ namespace strait
           open = pressure;
         return stays;
       });
-      const auto       closing   = downwards.leave(1., -tolerance, is_open);
+      const auto       closing   = downwards.enclose_loss(1., -tolerance, is_open);
       ASSERT_TRUE(closing);
       EXPECT_LE(closing->beyond, .2);
       EXPECT_GT(closing->before, .2);
@@ -120,7 +120,7 @@ namespace strait
       Keeper           held(1.37);
       TransitionSearch upwards =
         searching([&](const double value) { return held.keeps(value); });
-      const auto opening = upwards.leave(.5, .5, is_open);
+      const auto opening = upwards.enclose_loss(.5, .5, is_open);
       ASSERT_TRUE(opening);
       EXPECT_LE(opening->before, 1.37);
       EXPECT_GT(opening->beyond, 1.37);

@@ -37,9 +37,9 @@ namespace strait
     {
       for (const double critical : {.21, 1.436, 1.9, .6})
         {
-          int              n_probes = 0;
-          TransitionSearch search(constriction(critical, n_probes), 1e-4);
-          const Passage    found = search.enclose({1.25}, 0.);
+          int                 n_probes = 0;
+          TransitionSearch    search(constriction(critical, n_probes), 1e-4);
+          const EnclosingPair found = search.enclose({1.25}, 0.);
           EXPECT_LE(found.before, critical);
           EXPECT_GE(found.beyond, critical);
           EXPECT_LE(relative_width(found), 1e-4);
@@ -54,7 +54,7 @@ namespace strait
       TransitionSearch far(constriction(1.436, n_far), 1e-6);
       TransitionSearch near(constriction(1.436, n_near), 1e-6);
       far.enclose({1.25}, 0.);
-      const Passage found = near.enclose({1.43605, 5e-5}, 0.);
+      const EnclosingPair found = near.enclose({1.43605, 5e-5}, 0.);
       EXPECT_LE(found.before, 1.436);
       EXPECT_GE(found.beyond, 1.436);
       EXPECT_LE(relative_width(found), 1e-6);
@@ -80,11 +80,11 @@ namespace strait
       // Where 8 √(0.8 ε^1.16) is a half.
       const double expected = std::pow(std::pow(.5 / 8., 2) / .8, 1. / of_gap);
       const auto   within   = [](const SearchStart first, const double level) {
-        int              n_probes = 0;
-        TransitionSearch search(constriction_on_points(1.436, 8., n_probes), 1e-5);
-        const Passage    found = search.enclose(first, level);
-        const int        n     = n_probes;
-        const double     far   = search.unresolved_distance(found, level);
+        int                 n_probes = 0;
+        TransitionSearch    search(constriction_on_points(1.436, 8., n_probes), 1e-5);
+        const EnclosingPair found = search.enclose(first, level);
+        const int           n     = n_probes;
+        const double        far   = search.unresolved_distance(found, level);
         EXPECT_LE(n_probes, n + 12);
         return far;
       };
@@ -94,18 +94,18 @@ namespace strait
 
       // Of a throat that was seen only where its points decide nothing is known, unless
       // more may be asked.
-      int              n_asked = 0;
-      TransitionSearch next_to_it(constriction_on_points(1.436, 8., n_asked), 1e-5);
-      const Passage    near   = next_to_it.enclose({1.43605, 3e-5}, 0.);
-      const int        n_near = n_asked;
+      int                 n_asked = 0;
+      TransitionSearch    next_to_it(constriction_on_points(1.436, 8., n_asked), 1e-5);
+      const EnclosingPair near   = next_to_it.enclose({1.43605, 3e-5}, 0.);
+      const int           n_near = n_asked;
       EXPECT_TRUE(std::isnan(next_to_it.unresolved_distance(near, 0., false)));
       EXPECT_EQ(n_asked, n_near);
 
       // Nor of one without points.
-      int              n_probes = 0;
-      TransitionSearch search(constriction(1.436, n_probes), 1e-5);
-      const Passage    found = search.enclose({1.25}, 0.);
-      const int        n     = n_probes;
+      int                 n_probes = 0;
+      TransitionSearch    search(constriction(1.436, n_probes), 1e-5);
+      const EnclosingPair found = search.enclose({1.25}, 0.);
+      const int           n     = n_probes;
       EXPECT_TRUE(std::isnan(search.unresolved_distance(found, 0.)));
       EXPECT_EQ(n_probes, n);
     }
@@ -138,7 +138,7 @@ namespace strait
               return result;
             },
             tolerance);
-          const Passage found = search.enclose({1.25}, 0.);
+          const EnclosingPair found = search.enclose({1.25}, 0.);
           EXPECT_LE(found.before, 1.436);
           EXPECT_GE(found.beyond, 1.436);
           EXPECT_LE(relative_width(found), tolerance);
@@ -160,7 +160,7 @@ namespace strait
               return result;
             },
             1e-4);
-          const Passage found = search.enclose({1.25}, 0.);
+          const EnclosingPair found = search.enclose({1.25}, 0.);
           EXPECT_LT(found.before, 1.436);
           EXPECT_GE(found.beyond, 1.436);
           EXPECT_LE(relative_width(found), 1e-4);
@@ -170,12 +170,12 @@ namespace strait
 
     TEST(TransitionSearch, AnotherLevelUsesKnownLoads)
     {
-      int              n_probes = 0;
-      TransitionSearch search(constriction(1.436, n_probes), 1e-4);
-      const Passage    dry   = search.enclose({1.25}, 0.);
-      const int        first = n_probes;
-      const Passage    slip  = search.enclose({1.25}, 2e-3);
-      const double     exact = 1.436 * (1 - std::pow(2e-3 / .8, 1 / of_gap));
+      int                 n_probes = 0;
+      TransitionSearch    search(constriction(1.436, n_probes), 1e-4);
+      const EnclosingPair dry   = search.enclose({1.25}, 0.);
+      const int           first = n_probes;
+      const EnclosingPair slip  = search.enclose({1.25}, 2e-3);
+      const double        exact = 1.436 * (1 - std::pow(2e-3 / .8, 1 / of_gap));
       EXPECT_LE(slip.before, exact);
       EXPECT_GE(slip.beyond, exact);
       EXPECT_LT(slip.beyond, dry.before);
@@ -223,10 +223,10 @@ namespace strait
       // the bracket of the coarser ones leaves room for.
       for (const double fine : {1.41, 1.436 - 1e-5, 1.436 + 1e-5, 1.45})
         {
-          Growing          contact(1.436, fine, 2 * tolerance);
-          TransitionSearch search([&](const double load) { return contact(load); },
+          Growing             contact(1.436, fine, 2 * tolerance);
+          TransitionSearch    search([&](const double load) { return contact(load); },
                                   tolerance);
-          const Passage    found = search.enclose_surely({1.25}, 0.);
+          const EnclosingPair found = search.enclose_surely({1.25}, 0.);
           EXPECT_LE(found.before, fine);
           EXPECT_GT(found.beyond, fine);
           EXPECT_GT(found.beyond, found.before);
@@ -244,11 +244,11 @@ namespace strait
 
     TEST(TransitionSearch, AsksBothEndsOnceMoreWhereNothingIsContradicted)
     {
-      int              n_plain = 0, n_sure = 0;
-      TransitionSearch plain(constriction(1.436, n_plain), 1e-4);
-      TransitionSearch sure(constriction(1.436, n_sure), 1e-4);
-      const Passage    one   = plain.enclose({1.25}, 0.);
-      const Passage    other = sure.enclose_surely({1.25}, 0.);
+      int                 n_plain = 0, n_sure = 0;
+      TransitionSearch    plain(constriction(1.436, n_plain), 1e-4);
+      TransitionSearch    sure(constriction(1.436, n_sure), 1e-4);
+      const EnclosingPair one   = plain.enclose({1.25}, 0.);
+      const EnclosingPair other = sure.enclose_surely({1.25}, 0.);
       EXPECT_EQ(one.before, other.before);
       EXPECT_EQ(one.beyond, other.beyond);
       EXPECT_EQ(n_sure, n_plain + 2);

@@ -113,7 +113,7 @@ namespace strait
       FeedbackGoal goal{1e-2, 1e-2};
       seal.solve(.5, goal);
       const double before = seal.pressure;
-      goal.goes_on        = true;
+      goal.continues      = true;
       EXPECT_EQ(seal.go_on(goal).iterations, 1);
       EXPECT_NEAR(seal.pressure, next(before), 1e-12);
     }

@@ -11,8 +11,8 @@ namespace strait
   /** The Python interpreter that was found when the program was configured. */
   extern const std::string python_interpreter;
 
-  /** The path of a script that the program calls at run time, such as "plot.py": the
-   *  first that exists of share/strait beside the executable's folder, the installed
-   *  folder, and tools/ of the source tree. Empty if there is none. */
+  /** The path of a script that the program calls at run time, such as "plot.py". The
+   *  first of these folders that has it is taken: share/strait beside the executable's
+   *  folder, the installed folder, tools/ of the source tree. Empty if none has it. */
   std::string find_script(const std::string &name);
 } // namespace strait

@@ -21,7 +21,7 @@ namespace strait
     return rank;
   }
 
-  /** How many ranks @p comm has. */
+  /** The number of ranks in @p comm. */
   inline int
   n_ranks_in(MPI_Comm comm)
   {
@@ -31,28 +31,30 @@ namespace strait
   }
 
   /**
-   * Run @p program and turn what it throws into an exit status and one sentence
-   * on standard error: 2 for an InputError, 3 for an Interruption, 1 for anything else.
+   * Run @p program and return its exit status. If it throws, print one sentence on
+   * standard error and return 2 for an InputError, 3 for an Interruption, 1 for anything
+   * else.
    *
-   * If all ranks of @p comm fail, rank 0 speaks for them. If only some do, the
-   * others wait for them in vain somewhere: after a few seconds the lowest rank
-   * that failed speaks and all ranks are aborted with the same status.
+   * If all ranks of @p comm fail, rank 0 prints for them. If only some fail, the others
+   * would wait for them for ever: after a few seconds each rank that failed prints its
+   * sentence with its number, and aborts all ranks with the same status.
    */
   int with_clear_exit(MPI_Comm comm, const std::function<int()> &program);
 
-  /** Run @p action on rank 0 only; if it throws there, every rank of @p comm throws the
-   *  same exception type (InputError or ComputationError) with the same message.
-   *  Collective: keeps an error of one rank from becoming a hang of the others. */
+  /** Collective: run @p action on rank 0 only. If it throws, every rank of @p comm throws
+   *  with the same message: InputError for an InputError, else ComputationError. An error
+   *  on rank 0 thus does not leave the other ranks hanging. */
   void run_on_root(MPI_Comm comm, const std::function<void()> &action);
 
-  /** Collective: if @p error is non-empty on any rank, every rank throws an InputError
+  /** Collective: if @p error is not empty on some rank, every rank throws an InputError
    *  with the message of the lowest such rank. */
   void throw_if_any(MPI_Comm comm, const std::string &error);
 
-  /** Collective: the string of the rank @p root on every rank. */
+  /** Collective: return the @p text of rank @p root on every rank. */
   std::string broadcast(MPI_Comm comm, std::string text, int root = 0);
 
-  /** Collective: sums of several values over all ranks with one message. */
+  /** Collective: replace each of @p count values by its sum over all ranks, with one
+   *  message. */
   template <typename Number>
   void
   sum_in_place(MPI_Comm comm, Number *values, const std::size_t count)
@@ -65,7 +67,7 @@ namespace strait
     MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), type, MPI_SUM, comm);
   }
 
-  /** The same of all values of a container. */
+  /** Collective: replace each value of a container by its sum over all ranks. */
   template <typename Values>
   void
   sum_in_place(MPI_Comm comm, Values &values)
@@ -82,7 +84,7 @@ namespace strait
     return value;
   }
 
-  /** The largest @p value of all ranks. Collective. */
+  /** The largest @p value on any rank. Collective. */
   inline double
   maximum(MPI_Comm comm, double value)
   {
@@ -90,15 +92,15 @@ namespace strait
     return value;
   }
 
-  /** The smallest @p value of all ranks. Collective. */
+  /** The smallest @p value on any rank. Collective. */
   inline double
   minimum(MPI_Comm comm, const double value)
   {
     return -maximum(comm, -value);
   }
 
-  /** Collective: the items of all ranks, one rank after the other. They are sent as
-   *  bytes. */
+  /** Collective: return the items of all ranks, in the order of the ranks, on every rank.
+   *  They are sent as bytes. */
   template <typename Item>
   std::vector<Item>
   gather_all(MPI_Comm comm, const std::vector<Item> &mine)
@@ -109,7 +111,7 @@ namespace strait
     MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
     std::partial_sum(counts.begin(), counts.end(), starts.begin() + 1);
     std::vector<Item> all(starts.back());
-    MPI_Datatype type; // so that counts are of items: bytes may be too many for an int
+    MPI_Datatype      type; // to count items: the number of bytes may overflow an int
     MPI_Type_contiguous(sizeof(Item), MPI_BYTE, &type);
     MPI_Type_commit(&type);
     MPI_Allgatherv(
@@ -118,26 +120,27 @@ namespace strait
     return all;
   }
 
-  /** What a rank has for all ranks, or gets from them, one rank after the other. */
+  /** The items that a rank gets from all ranks, in the order of the ranks. */
   template <typename Item>
-  struct Parcels
+  struct ReceivedItems
   {
     std::vector<Item> items;
-    std::vector<int>  counts; // of units of items, for each rank
+    std::vector<int>  counts; // units of items from each rank
   };
 
-  /** Collective: what all ranks have for this one. They send @p counts units of @p unit
-   *  items to each, which keeps counts small, as bytes. */
+  /** Collective: send @p counts[r] units of @p unit items each to rank r, and return what
+   *  the ranks sent to this one. @p items are in the order of the ranks, and are sent as
+   *  bytes. Units keep the counts small. */
   template <typename Item>
-  Parcels<Item>
+  ReceivedItems<Item>
   exchange(MPI_Comm                 comm,
            const std::vector<Item> &items,
            const std::vector<int>  &counts,
            const int                unit = 1)
   {
     static_assert(std::is_trivially_copyable<Item>::value, "is sent as bytes");
-    const std::size_t n_ranks = counts.size();
-    Parcels<Item>     received{{}, std::vector<int>(n_ranks)};
+    const std::size_t   n_ranks = counts.size();
+    ReceivedItems<Item> received{{}, std::vector<int>(n_ranks)};
     MPI_Alltoall(counts.data(), 1, MPI_INT, received.counts.data(), 1, MPI_INT, comm);
     std::vector<int> to(n_ranks + 1), from(n_ranks + 1);
     std::partial_sum(counts.begin(), counts.end(), to.begin() + 1);

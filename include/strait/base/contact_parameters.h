@@ -10,11 +10,11 @@ namespace strait
 {
   struct ParameterSection;
 
-  /** Along a side of the grid. */
+  /** The fewest grid points along a side. */
   constexpr int least_grid_points = 4;
 
-  /** Likewise: the product of two must fit into the 32-bit indices of deal.II's vectors.
-   */
+  /** The most grid points along a side: the product of two such numbers must fit into the
+   *  32-bit indices of deal.II's vectors. */
   constexpr int most_grid_points = 65535;
 
   /** How the energy with adhesion is minimised. */
@@ -25,7 +25,7 @@ namespace strait
     gfmd
   };
 
-  /** How the energy of adhesion falls with the gap; see AdhesionLaw. */
+  /** How the energy of adhesion decays with the gap; see AdhesionLaw. */
   enum class AdhesionShape
   {
     exponential,
@@ -39,9 +39,9 @@ namespace strait
     bool           enabled           = false;
     AdhesionShape  shape             = AdhesionShape::exponential; // f
     double         surface_energy    = 0.;                         // γ0
-    double         range             = 0.;                         // z0; or
-    double         tabor_number      = 0.;                         // sets z0
-    double         sphere_radius     = 0.;                         // 0: not of a sphere
+    double         range             = 0.;                         // z0; 0: from the next
+    double         tabor_number      = 0.;                         // sets z0; 0: off
+    double         sphere_radius     = 0.;                         // 0: not a sphere
     double         matched_pressure  = 0.;                         // sets γ0; 0: off
     AdhesionMethod method            = AdhesionMethod::nonlinear_cg;
     bool           accept_unresolved = false;
@@ -75,16 +75,16 @@ namespace strait
     void bind(ParameterSection section);
   };
 
-  /** The section Contact of a scene: elastic half-space against the substrate. */
+  /** The section Contact of a scene: an elastic half-space against the substrate. */
   struct ContactParameters
   {
     bool                enabled           = true;
     std::array<int, 2>  grid_points       = {{512, 512}}; // nx, ny
-    double              effective_modulus = 1.; // follows from the next two, if given
+    double              effective_modulus = 1.; // from the next two, if they are given
     std::vector<double> young_moduli;           // of one or two bodies
     std::vector<double> poisson_ratios;
     double              hardness           = 0.;    // 0: not known
-    bool                yields             = false; // at the hardness, or never
+    bool                yields             = false; // at the hardness; false: never
     ContactControl      control            = ContactControl::load;
     ContactMethod       method             = ContactMethod::dual_cg;
     double              tolerance          = 1e-8; // residual in units of h_rms
@@ -96,21 +96,22 @@ namespace strait
 
     /** Whether loads are prescribed, rather than mean gaps. */
     bool
-    loads() const
+    is_load_controlled() const
     {
       return control == ContactControl::load;
     }
 
-    /** No pressure of the contact exceeds it. */
+    /** The upper bound of the contact pressure: the hardness if the contact yields, else
+     *  infinity. */
     double
     largest_pressure() const
     {
       return yields ? hardness : std::numeric_limits<double>::infinity();
     }
 
-    /** What the critical load of a surface of this rms slope is a fraction of: the
-     * modulus times the slope or, where the contact yields, no more than twice the
-     * hardness, for it touches on more than load over hardness. */
+    /** The pressure by which critical loads of surfaces of this rms slope are scaled: the
+     *  contact modulus times the slope. If the contact yields, it is at most twice the
+     *  hardness, because the contact fraction is more than load over hardness. */
     double
     pressure_scale(const double rms_slope) const
     {
@@ -118,8 +119,8 @@ namespace strait
       return yields ? std::min(elastic, 2. * hardness) : elastic;
     }
 
-    /** Where Young's moduli are given, take the effective modulus that follows from them.
-     *  Throws InputError where they contradict the other values. */
+    /** If Young's moduli are given, compute the effective modulus from them. Throws
+     *  InputError if they contradict the other values. */
     void take_elastic_constants();
   };
 } // namespace strait

@@ -6,7 +6,7 @@
 
 namespace strait
 {
-  /** Something the user can mend: a bad scene, input file or command line. The message is
+  /** Something the user can fix: a bad scene, input file or command line. The message is
    *  one sentence that says what is wrong, where, and what to do. The program prints it
    *  once and ends with status 2. */
   class InputError : public std::runtime_error
@@ -31,8 +31,8 @@ namespace strait
     using std::runtime_error::runtime_error;
   };
 
-  /** The run was asked to stop and did, after a step; it can be resumed. The program
-   *  prints the message once and ends with status 3. */
+  /** The run was asked to stop and did, after a step or a solve of a search; it can be
+   *  resumed. The program prints the message once and ends with status 3. */
   class Interruption : public std::runtime_error
   {
   public:

@@ -8,29 +8,28 @@
 
 namespace strait
 {
-  /** What is in a file; nothing if there is none. */
+  /** The content of a file; empty if it cannot be read. */
   std::string text_of(const std::string &path);
 
-  /** Write a whole file in the place of the one before. Throws ComputationError if that
-   *  fails; then the one before stays. */
+  /** Write a whole file, replacing an earlier one. Throws ComputationError if that fails;
+   *  the earlier file then stays. */
   void write_text(const std::string &path, const std::string &text);
 
-  /** Make sure that a file with @p bytes of fields can be written at @p path: the HDF5
-   *  library does not survive a disk that is full. Collective. Throws ComputationError on
-   *  all ranks if it cannot. */
+  /** Make sure that a file with @p bytes of fields can be written at @p path, because the
+   *  HDF5 library does not survive a full disk. Collective. Throws ComputationError on
+   *  all ranks if there is no room. */
   void require_space(const std::string &path, std::uintmax_t bytes, MPI_Comm comm);
 
-  /** Throws ComputationError unless the file @p path ends with @p end: a library may
-   *  leave half of it without a word. */
+  /** Throw ComputationError unless the file @p path ends with @p end: a library may leave
+   *  an incomplete file and report no error. */
   void require_end(const std::string &path, const std::string &end);
 
-  /** Throws because @p what, "The log file 'X'", cannot be written, for the reason
-   *  @p error, a value of errno: ComputationError if there is no room, which may be so in
-   *  the middle of a run, else InputError, as another folder mends it. */
+  /** Throw because @p what, such as "The log file 'X'", cannot be written. @p error is
+   *  the value of errno, 0 if unknown. ComputationError if there is no room, which can
+   *  happen in the middle of a run; else InputError, because another folder helps. */
   [[noreturn]] void throw_unwritable(const std::string &what, int error);
 
-  /** Throws ComputationError because @p what, "The file 'X'", of a run that has begun
-   *  could not be written, for the reason @p error, a value of errno or 0 for one that is
-   *  not known. */
+  /** Throw ComputationError because @p what, such as "The file 'X'", of a run that has
+   *  begun could not be written. @p error is the value of errno, 0 if unknown. */
   [[noreturn]] void throw_unfinished(const std::string &what, int error = 0);
 } // namespace strait

@@ -12,7 +12,7 @@
 namespace strait
 {
   /** What the user sees: lines on the screen of rank 0 and in a log file. All ranks may
-   *  call everything; the others stay silent. */
+   *  call every function; only rank 0 prints. */
   class Log
   {
   public:
@@ -24,14 +24,15 @@ namespace strait
       terminal // lines, and progress that overwrites itself
     };
 
-    /** On standard output; a terminal is recognised. */
+    /** Log to standard output, with a live line if it is a terminal; the screen is silent
+     *  if @p quiet. */
     Log(MPI_Comm comm, bool quiet);
 
-    /** On @p stream, which must live longer than this object. */
+    /** Log to @p stream, which must live longer than this object. */
     Log(MPI_Comm comm, std::ostream &stream, Screen screen);
 
-    /** Of a part of the work that @p whole, which must live longer, tells of: shows its
-     *  progress, and nothing else. */
+    /** The log of a part of the work that @p whole, which must live longer, reports on:
+     *  passes on the progress of that part, and shows nothing else. */
     explicit Log(Log *whole);
 
     /** Removes the live line. */
@@ -40,23 +41,24 @@ namespace strait
     Log(const Log &)            = delete;
     Log &operator=(const Log &) = delete;
 
-    /** A line, or several, on the screen and in the file. */
+    /** Print one or several lines on the screen and in the file. */
     void line(const std::string &text);
 
-    /** The line "warning: TEXT", once for each text; kept for warnings(). */
+    /** Print the line "warning: TEXT", once for each text, and keep it for warnings(). */
     void warn(const std::string &text);
 
-    /** What goes on from now on, "step 2 of 7"; empty: nothing that takes long. On a
-     *  terminal the live line shows it, the last one on the screen, which overwrites
+    /** Name the work that begins now, as "step 2 of 7"; empty: nothing that takes long. A
+     *  terminal shows it in the live line, the last line of the screen, which overwrites
      *  itself; elsewhere it is printed at most every ten seconds. Not in the file. */
     void stage(const std::string &text);
 
-    /** How far that is: the live line goes on with it until the next stage. */
+    /** Tell how far the stage is: append @p text to it in the live line, in place of the
+     *  previous text. */
     void progress(const std::string &text);
 
     /** Collective. From now on write to the file @p path as well, beginning with the
-     *  lines so far; with @p append after what is in it. Throws on all ranks if it cannot
-     *  be written: ComputationError if the disk is full, else InputError. */
+     *  lines so far; with @p append behind its present content. Throws on all ranks if it
+     *  cannot be written: ComputationError if the disk is full, else InputError. */
     void attach_file(const std::string &path, bool append = false);
 
     /** Whether nothing is shown on the screen. */
@@ -66,14 +68,14 @@ namespace strait
       return screen == Screen::silent;
     }
 
-    /** The texts of all warnings, on all ranks that gave them. */
+    /** The texts of all warnings that this rank gave or took over. */
     const std::vector<std::string> &
     warnings() const
     {
       return all_warnings;
     }
 
-    /** Warnings that an earlier part of the run gave, as if given here. */
+    /** Take over the warnings of an earlier part of the run, as if given here before. */
     void keep_warnings(const std::vector<std::string> &earlier);
 
   private:
@@ -83,12 +85,12 @@ namespace strait
     MPI_Comm                              comm;
     std::ostream                         &stream;
     Screen                                screen;
-    Log                                  *shows_progress = nullptr; // of this one
+    Log                                  *shows_progress = nullptr; // of this log
     bool                                  on_root;
     int                                   width; // of the live line, in characters
     std::string                           current_stage, live;
     std::chrono::steady_clock::time_point last_progress;
-    std::string                           early_lines; // before the file is there
+    std::string                           early_lines; // kept until a file is attached
     std::ofstream                         file;
     std::vector<std::string>              all_warnings;
   };

@@ -6,13 +6,13 @@
 namespace strait
 {
   /**
-   * Memory of @p size bytes, to be given to std::free(); null if there is none.
+   * Allocate @p size bytes, to be released by std::free(); null if there is no memory.
    *
-   * Fields are swept over, transposed and searched: on a virtual machine as much time
-   * goes into touching and finding the usual pages of 4 KB as into the work itself.
-   * Where a large page fits in the system is asked for such. Results do not depend on
-   * whether it heeds that. The library's operator new, which a program that is linked
-   * with it has as well unless it has its own, takes its memory from here.
+   * Fields are traversed, transposed and searched. On a virtual machine it takes as much
+   * time to touch and find the usual pages of 4 kB as to do the work itself. A block that
+   * holds a large page therefore asks the system for large pages; results do not depend
+   * on whether it grants them. The library's operator new allocates here, also in a
+   * program that links the library, unless the program defines its own.
    */
   void *allocate(std::size_t size) noexcept;
 } // namespace strait

@@ -16,7 +16,7 @@
 
 namespace strait
 {
-  /** Whether a list has a value twice. */
+  /** Whether a list contains a value twice. */
   template <typename Value>
   bool
   has_repetitions(const std::vector<Value> &values)
@@ -25,11 +25,11 @@ namespace strait
   }
 
   // The values that a parameter of the scene may take. Each of these classes writes a
-  // value with text(), reads it with read(), which gives false for what is not allowed,
-  // and says in words() what is: of whole numbers or others, of one or of a list.
+  // value with text(), reads it with read(), which returns false for a value that is not
+  // allowed, and describes in words() what is: for integers or not, for a list or not.
 
-  /** Numbers between two limits, at first all that are 0 or of a magnitude from 1e-30 to
-   *  1e30, which covers all that is measured in any units. */
+  /** Numbers between two limits, if any. All but integers must also be 0 or of a
+   *  magnitude from 1e-30 to 1e30, which covers all that is measured in any units. */
   struct Range
   {
     double lower      = -std::numeric_limits<double>::infinity();
@@ -37,35 +37,35 @@ namespace strait
     double upper      = std::numeric_limits<double>::infinity();
     bool   with_upper = false;
 
-    /** These numbers from @p limit on. */
+    /** The same range with the lower limit @p limit, which is included. */
     constexpr Range
     at_least(const double limit) const
     {
       return {limit, true, upper, with_upper};
     }
 
-    /** Those that exceed @p limit. */
+    /** The same range with the lower limit @p limit, which is excluded. */
     constexpr Range
     above(const double limit) const
     {
       return {limit, false, upper, with_upper};
     }
 
-    /** Those up to @p limit. */
+    /** The same range with the upper limit @p limit, which is included. */
     constexpr Range
     at_most(const double limit) const
     {
       return {lower, with_lower, limit, true};
     }
 
-    /** Those that fall short of @p limit. */
+    /** The same range with the upper limit @p limit, which is excluded. */
     constexpr Range
     below(const double limit) const
     {
       return {lower, with_lower, limit, false};
     }
 
-    /** A number as a scene has it. */
+    /** A number as it is written in a scene. */
     template <typename Number>
     std::string
     text(const Number number) const
@@ -76,7 +76,7 @@ namespace strait
         return to_text(number);
     }
 
-    /** Into an integer only an integer: 1e3 is none. */
+    /** Read a number; false if it is not allowed. 1e3 is not read as an integer. */
     template <typename Number>
     bool
     read(const std::string &text, Number &number) const
@@ -88,26 +88,26 @@ namespace strait
       return true;
     }
 
-    /** "a number above 0 and at most 1" and the like. */
+    /** The values allowed, such as "a number above 0 and at most 1". */
     std::string words(bool is_integer, bool is_list) const;
 
   private:
     bool read_number(const std::string &text, bool is_integer, double &number) const;
   };
 
-  /** What to add to the words for a Range, if one of these numbers, separated by commas,
-   *  is beyond all of them. */
+  /** The addition to the words of a Range if one of these numbers, separated by commas,
+   *  has a magnitude that no Range allows; else empty. */
   std::string magnitude_note(const std::string &values);
 
-  /** All numbers. */
+  /** All numbers of a usable magnitude. */
   inline constexpr Range any_number{};
-  /** Those above 0. */
+  /** Numbers above 0. */
   inline constexpr Range positive = any_number.above(0.);
-  /** Those from 0 on. */
+  /** Numbers of at least 0. */
   inline constexpr Range not_negative = any_number.at_least(0.);
 
-  /** The names of an enumeration's values, all of them and in the order of their
-   *  declaration, which nothing else ties them to. */
+  /** The names of all values of an enumeration. They must be in the order of its
+   *  declaration, which is not checked. */
   class Names
   {
   public:
@@ -135,7 +135,7 @@ namespace strait
       return found != names.end();
     }
 
-    /** "one of: NAME, NAME". */
+    /** "one of: NAME, NAME"; for a list "some of: ...". */
     std::string
     words(bool, const bool is_list) const
     {
@@ -146,13 +146,13 @@ namespace strait
     std::vector<std::string> names;
   };
 
-  /** A text with a meaning. */
+  /** The texts that a function allows. */
   struct Text
   {
-    std::string                              meaning; // in words
+    std::string                              meaning; // of those allowed, in words
     std::function<bool(const std::string &)> is_allowed;
 
-    /** The text itself, as it is read and written. */
+    /** The text itself. */
     std::string
     text(const std::string &value) const
     {
@@ -175,52 +175,52 @@ namespace strait
     }
   };
 
-  /** What a scene says of one parameter, and the way from there to who wants to know. */
+  /** A parameter of the scene: its value and documentation, and where the value goes. */
   struct Parameter
   {
     std::string section; // "Section/Subsection"
     std::string name;
-    std::string value;   // at first the default
-    std::string allowed; // in words
+    std::string value;   // initially the default
+    std::string allowed; // the values allowed, in words
 
-    /** Hand on the value that stands in a text; false: it is not allowed. */
+    /** Read the value from a text into its variable; false if it is not allowed. */
     std::function<bool(const std::string &)> take;
 
     bool        is_path = false;
-    std::string keyword = {}; // in place of a path
-    std::string meaning = {}; // with the unit
+    std::string keyword = {}; // allowed in place of a path
+    std::string meaning = {}; // with the unit in brackets
 
-    std::vector<std::string> conditions = {}; // for it to count, see when()
-    std::string              usual      = {}; // the default
+    std::vector<std::string> conditions = {}; // all must hold for an effect, see when()
+    std::string              default_value = {}; // the default
   };
 
   /** All parameters of a scene, in the order of the documentation. */
   class ParameterTable
   {
   public:
-    /** Append a parameter; those of a section must come one after the other. The next one
-     *  makes the result invalid. */
+    /** Append a parameter; those of a section must be contiguous. The next call
+     *  invalidates the reference that is returned. */
     Parameter &
     add(Parameter parameter)
     {
-      parameter.usual = parameter.value;
+      parameter.default_value = parameter.value;
       return parameters.emplace_back(std::move(parameter));
     }
 
-    /** Give a parameter the value of @p entry; a path counts from the folder of the
-     *  entry. Throws InputError, with the place of the entry, for a section or parameter
-     *  that does not exist (with the nearest name that does) and for a value that is not
-     *  allowed. */
+    /** Give a parameter the value of @p entry; a relative path starts at the folder of
+     *  the entry. Throws InputError, with the place of the entry, for a section or
+     *  parameter that does not exist (with the nearest name that does) and for a value
+     *  that is not allowed. */
     void assign(const SceneEntry &entry);
 
-    /** One sentence for each condition that does not hold although parameters that count
-     *  only with it have other values than their defaults. */
+    /** One sentence for each condition that does not hold, if parameters that need it
+     *  have other values than their defaults. */
     std::vector<std::string> without_effect() const;
 
-    /** A scene file with all values; with the documentation if @p explained. */
+    /** A scene file with all values, documented by comments if @p explained. */
     std::string scene(bool explained) const;
 
-    /** A page with a table for each section. */
+    /** A page of Markdown with a table for each section. */
     std::string markdown() const;
 
   private:
@@ -230,37 +230,37 @@ namespace strait
     std::vector<Parameter> parameters;
   };
 
-  /** One section of the table. Each add() is of a parameter: its name; the variable that
-   *  holds the default and gets the value, which must stay where it is as long as the
-   *  table is in use; the values allowed. The caller is to say what it means. */
+  /** One section of the table. Each add() appends a parameter, given its name, the
+   *  variable that holds the default and receives the value, and the values allowed. The
+   *  variable must not move while the table is in use. The caller sets the meaning. */
   struct ParameterSection
   {
     ParameterTable          &table;
     std::string              path;
     std::vector<std::string> conditions = {};
 
-    /** A section within this one. */
+    /** A section within this one, without its conditions. */
     ParameterSection
     subsection(const std::string &name) const
     {
       return {table, path + "/" + name};
     }
 
-    /** The same section for parameters that count only if @p condition holds as well:
-     *  "Kind = sine, file", that a parameter of this section has one of these values;
-     *  "Seeds", that it has not its default; alternatives are separated by " | ", and
-     *  parameters of other sections have their whole path, as Theory/Enabled. */
+    /** The same section for parameters that have an effect only if @p condition holds as
+     *  well. "Kind = sine, file" holds if Kind in this section has one of these values,
+     *  "Seeds" if it differs from its default. Alternatives are separated by " | ";
+     *  parameters of other sections are given by their path, as Theory/Enabled. */
     ParameterSection when(const std::string &condition) const;
 
-    /** Whether or not. */
+    /** A parameter that is true or false. */
     [[nodiscard]] Parameter &add(const std::string &name, bool &variable);
 
-    /** The path of a file, or @p keyword. */
+    /** The path of a file; @p keyword is allowed in its place. */
     [[nodiscard]] Parameter &add_path(const std::string &name,
                                       std::string       &variable,
                                       const std::string &keyword = {});
 
-    /** @p values is a Range, Names or a Text. */
+    /** A single value; @p values is a Range, Names or a Text. */
     template <typename Value, typename Values>
     [[nodiscard]] Parameter &
     add(const std::string &name, Value &variable, const Values &values)

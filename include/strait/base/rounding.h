@@ -3,7 +3,8 @@
 
 namespace strait
 {
-  /** How far, relative, two numbers may be apart that would be the same if sums of
-   * doubles and texts of nine digits were exact. Half and double of it decide alike. */
+  /** The relative difference up to which two numbers count as equal: sums of doubles, and
+   *  numbers written with nine digits, are not exact. Half and double of it give the same
+   *  decisions. */
   inline constexpr double rounding = 1e-9;
 } // namespace strait

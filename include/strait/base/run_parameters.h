@@ -8,7 +8,7 @@ namespace strait
 {
   struct ParameterSection;
 
-  /** In which direction the loads are taken. */
+  /** The direction in which the loads are followed. */
   enum class LoadPath
   {
     loading,
@@ -37,14 +37,14 @@ namespace strait
   struct RealisationParameters
   {
     std::vector<unsigned long long> seeds; // empty: that of the surface
-    std::vector<int> orientations = {0};   // 1: inverted, 2: rotated, 3: both
-    std::vector<int> ranks_each;           // one number, or none: all ranks
+    std::vector<int> orientations = {0};   // 0: as is, 1: inverted, 2: rotated, 3: both
+    std::vector<int> ranks_each;           // one number; empty: all ranks
 
-    /** Whether there is more than the surface of the section Surface. */
+    /** Whether the scene lists seeds, or other orientations than `as is`. */
     bool
     enabled() const
     {
-      return !seeds.empty() || orientations.size() > 1;
+      return !seeds.empty() || orientations != std::vector<int>{0};
     }
 
     void bind(ParameterSection section);
@@ -57,9 +57,9 @@ namespace strait
     bool        enabled       = false;
     double      circumference = 0.;
     double      contact_width = 0.;
-    std::string pressure_profile; // empty: uniform; hertz; or the path of a table
+    std::string pressure_profile; // empty: uniform; "hertz"; or the path of a table
     bool        isotropic        = true;
-    double      wanted_leak_rate = 0.; // 0: none
+    double      wanted_leak_rate = 0.; // 0: its load is not searched for
     bool        two_in_a_row     = false;
 
     void bind(ParameterSection section);
@@ -69,26 +69,26 @@ namespace strait
   /** The name of an orientation in a scene. */
   std::string name_of(int orientation);
 
-  /** Whether the surface is turned by 90 degrees in it. */
+  /** Whether this orientation turns the surface by 90 degrees. */
   inline bool
   is_rotated(const int orientation)
   {
     return (orientation & 2) != 0;
   }
 
-  /** What sets n of the effective medium. */
+  /** What sets n of the effective medium, which seals at the contact fraction 1 − 1/n. */
   enum class TheoryDimension
   {
     bruggeman,         // n = 2
-    critical_fraction, // given contact fraction at the threshold
-    from_threshold     // that at the run's own critical load
+    critical_fraction, // it seals at a given contact fraction
+    from_threshold     // it seals at the critical load of this run
   };
 
   /** The section Theory: Persson's theory and the effective medium beside each step. */
   struct TheoryParameters
   {
     bool            enabled             = false;
-    bool            spectrum_of_surface = false; // on the grid, not of its model
+    bool            spectrum_of_surface = false; // of the grid's heights, not the model
     bool            simulated_gaps      = false; // in the effective medium, not Persson's
     TheoryDimension dimension           = TheoryDimension::bruggeman;
     double          critical_fraction   = .42;
@@ -111,7 +111,7 @@ namespace strait
     std::string              directory        = "output";
     FieldOutput              fields           = FieldOutput::none;
     bool                     pictures         = true;
-    bool                     error_budget     = false; // with what costs more solves
+    bool                     error_budget     = false; // further errors, from more solves
     bool                     checkpoint       = true;
     bool                     surface_map      = false; // surface.nc
     bool                     surface_spectrum = false; // spectrum.csv

@@ -36,17 +36,17 @@ namespace strait
       return theory.enabled && !contact.enabled && !fluid.enabled;
     }
 
-    /** Whether E* and with it slopes and pressures are meant as they stand. In reduced
-     *  units, with E* = 1 and no unit stated, results depend on slope × E* over pressure
-     *  alone, and a slope of 1 says nothing. */
+    /** Whether E* has a physical value, so that slopes and pressures do as well. In
+     *  reduced units, with E* = 1 and no unit stated, results depend only on slope × E*
+     *  over pressure, and a slope of 1 says nothing. */
     bool
     has_physical_modulus() const
     {
       return !units.pressure.empty() || contact.effective_modulus != 1.;
     }
 
-    /** Whether the flow through two boxes in a row can be solved, given that through one:
-     *  it must add up, and not change the gap. */
+    /** Whether the flow through two boxes in a row can be solved once that through one is
+     *  known: it must be along x, linear in the pressure, and leave the gap as it is. */
     bool
     can_flow_in_a_row() const
     {
@@ -55,18 +55,18 @@ namespace strait
              !fluid.feedback.enabled && !contact.zoom.enabled;
     }
 
-    /** Whether the flow through two boxes in a row is solved beside that through one: it
-     *  is asked for, or the patches of the seal must be taken in rows, for their ends to
-     *  count once only. */
+    /** Whether the flow through two boxes in a row is solved beside that through one:
+     *  because the scene asks for it, or because the seal has several patches in a row,
+     *  whose ends must count only once. */
     bool
     has_two_boxes() const
     {
-      // A contact that is less than half a patch wider than one has one.
+      // The number of patches is rounded: below 1.5 there is one.
       const bool is_wide = seal.enabled && seal.contact_width >= 1.5 * surface.size[0];
       return fluid.enabled && (seal.two_in_a_row || (is_wide && can_flow_in_a_row()));
     }
 
-    /** Whether a state depends on the one it was reached from by more than the
+    /** Whether a state depends on the state it was reached from by more than the
      *  tolerance. */
     bool
     depends_on_path() const
@@ -75,29 +75,29 @@ namespace strait
              fluid.feedback.enabled;
     }
 
-    /** What it was made of. */
+    /** The entries that the scene was made from. */
     std::vector<SceneEntry> entries;
 
     /** The scene file, with every default filled in. */
     std::string resolved;
 
-    /** One sentence for each effect that is off but has parameters all the same, and for
-     *  each number that a scene with units lacks. */
+    /** One sentence for each effect that is off although its parameters are set, and for
+     *  each number that a scene with units does not give. */
     std::vector<std::string> oversights;
 
-    /** Bind all parameters; this scene must then stay where it is. */
+    /** Bind all parameters to @p table; this scene must not move while that is in use. */
     void bind(ParameterTable &table);
-    /** Checks of each section and across sections; throws InputError. */
+    /** Check each section and that they agree; throws InputError. */
     void check() const;
-    /** What is allowed but doubtful, one sentence each. */
+    /** One sentence for each setting that is allowed but doubtful. */
     std::vector<std::string> warnings() const;
   };
 
   /** An override from the command line, "Section/Parameter=value". */
   using Overrides = std::vector<std::string>;
 
-  /** The scene that @p entries give, each value allowed by itself, but not yet checked.
-   */
+  /** The scene that @p entries give, not yet checked but for each value by itself. Throws
+   *  InputError for an unknown parameter or a value that is not allowed. */
   Scene parse_scene(const std::vector<SceneEntry> &entries);
 
   /** The scene that @p entries give, checked. Throws InputError for an unknown parameter
@@ -105,10 +105,10 @@ namespace strait
    *  sections that contradict each other. */
   Scene make_scene(const std::vector<SceneEntry> &entries);
 
-  /** The entries of the scene file @p path, which rank 0 of MPI_COMM_WORLD reads, and the
-   *  overrides behind them, on all ranks; see read_scene(). Throws InputError on all
-   *  ranks, also for an unreadable file. Paths of files count from the folder of the
-   *  scene file, those in an override from the current folder. */
+  /** The entries of the scene file @p path, which rank 0 of MPI_COMM_WORLD reads,
+   *  followed by the overrides, on all ranks; see read_scene(). Collective. Throws
+   *  InputError on all ranks, also for an unreadable file. Relative paths start at the
+   *  folder of the scene file, those in an override at the current folder. */
   std::vector<SceneEntry> read_entries(const std::string &path,
                                        const Overrides   &overrides);
 

@@ -6,11 +6,11 @@
 
 namespace strait
 {
-  /** One "set NAME = VALUE" of a scene, or the opening of a subsection. */
+  /** One "set NAME = VALUE" of a scene, or the start of a subsection. */
   struct SceneEntry
   {
     std::string section; // "Section/Subsection"
-    std::string name;    // empty: the section is opened here
+    std::string name;    // empty: the section starts here
     std::string value;   // without comment
     std::string place;   // "FILE:LINE" or "--set ...", for messages
     std::string folder;  // relative paths in the value start here
@@ -23,9 +23,10 @@ namespace strait
     }
   };
 
-  /** Take a scene file apart: subsection, set, end, comments (#) and continued lines (\).
-   *  Gives the entries in the order of the file. Throws InputError for a line that is
-   *  none of these, an "end" too many or too few, or a parameter that is set twice. */
+  /** The entries of a scene file, in its order. It has lines with subsection, set or end,
+   *  comments (#) and continued lines (\). Throws InputError for any other line, an "end"
+   *  too many or too few, a parameter that is set twice, a subsection with a '/' in its
+   *  name, or more than 16 subsections within each other. */
   std::vector<SceneEntry>
   lex_scene(const std::string &text, const std::string &file, const std::string &folder);
 

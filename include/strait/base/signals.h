@@ -9,22 +9,22 @@
 namespace strait
 {
   /** From now on SIGTERM, SIGINT and SIGUSR1 do not end the program but are noted for
-   *  stop_requested(); the same one again ends it at once. Who presses Ctrl-C is told so.
-   *  Those before are forgotten. A file that grows beyond what the system allows makes
-   *  its writing fail rather than end the program. After MPI has started. */
+   *  stop_requested(); the same signal again ends it at once, as a message says after
+   *  Ctrl-C. Earlier signals are forgotten. A file that exceeds the size that the system
+   *  allows makes writing fail instead of ending the program. Call after MPI_Init. */
   void catch_signals();
 
-  /** Whether a rank was asked to stop. The same on all ranks; collective. */
+  /** Whether any rank was asked to stop; the same on all ranks. Collective. */
   bool stop_requested(MPI_Comm comm);
 
-  /** The name of the signal that this rank got, "a signal" if it was another rank. */
+  /** The name of the signal that this rank got; "a signal" if only another rank did. */
   std::string name_of_stop_signal();
 
-  /** What interruption_point() calls, if anything. */
+  /** The function that interruption_point() calls, if any. */
   inline std::function<void()> at_interruption_points;
 
-  /** Called by what takes long between its iterations: there it may be left by an
-   *  exception. */
+  /** Called by long computations between their iterations. It may throw, which ends the
+   *  computation. */
   inline void
   interruption_point()
   {

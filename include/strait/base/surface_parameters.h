@@ -9,7 +9,7 @@ namespace strait
 {
   struct ParameterSection;
 
-  /** That a scene file can ask for: the largest integer that is read there. */
+  /** The largest seed of a scene file: the largest integer that can be read there. */
   constexpr int largest_seed = std::numeric_limits<int>::max();
 
   /** What is subtracted from a measured map, by least squares. */
@@ -35,10 +35,11 @@ namespace strait
   {
     std::string file;
     std::string second_file;
-    std::string height_unit;  // settles or overrides what the file states
+    std::string height_unit;  // overrides what the file states, if anything
     std::string lateral_unit; // likewise
     double      largest_missing_share = 0.;
-    /** Into how many windows the map is cut, along x and y; the seed says which it is. */
+    /** The number of windows that the map is cut into along x and y; the seed is the
+     *  number of the one that is taken. */
     std::array<int, 2> windows             = {{1, 1}};
     Detrend            detrend             = Detrend::none;
     MakePeriodic       make_periodic       = MakePeriodic::no;
@@ -70,7 +71,7 @@ namespace strait
     file
   };
 
-  /** Amplitudes of the waves of a self-affine surface. */
+  /** How the amplitudes of the waves of a self-affine surface are chosen. */
   enum class Amplitudes
   {
     gaussian,
@@ -89,27 +90,28 @@ namespace strait
     Amplitudes            amplitudes               = Amplitudes::gaussian;
     bool                  rms_is_of_height         = false; // not of slope
     double                rms_value                = 1.;
-    double                amplitude                = 1.; // sphere: its radius
+    double                amplitude                = 1.; // of a sphere the radius
     std::string           expression;
     MapParameters         map;
     bool                  invert = false;
     bool                  rotate = false;
 
     void bind(ParameterSection section);
-    /** Throws InputError where the values contradict each other. */
+    /** Throws InputError if the values contradict each other. */
     void check() const;
 
-    /** Whether a crease is within @p distance of @p place [length]: between spheres, at
-     * the edges of the box, and between a map and its mirror images. A gap in a crease
-     * closes only where the points end: the finer they are, the higher is the load. */
+    /** Whether a crease lies within @p distance of @p place [length]: at the edges of the
+     *  box between the periodic images of a sphere, or between a map and its mirror
+     *  images. A gap in a crease is closed only by the finite grid spacing: the finer the
+     *  grid, the higher the load that closes it, without limit. */
     bool has_crease_near(const std::array<double, 2> &place, double distance) const;
   };
 
   /** @p value with nine significant digits, as one would write it in a scene. */
   std::string scene_number(double value);
 
-  /** "along_x, along_y", the values that a scene must give for a surface as it is before
-   *  the rotation that @p parameters ask for. */
+  /** The two values that a scene must give, "x, y", if the surface has @p along_x and
+   *  @p along_y before the rotation that @p parameters ask for. */
   std::string
   scene_pair(const SurfaceParameters &parameters, double along_x, double along_y);
 } // namespace strait

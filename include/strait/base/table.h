@@ -34,18 +34,18 @@ namespace strait
   {
     std::string             file;       // STEP stands for the number of a step
     std::string             definition; // Markdown
-    std::vector<ColumnInfo> columns;    // in their order, those not written as well
+    std::vector<ColumnInfo> columns;    // in order, with those not written
   };
 
-  /** "length³/time" in a scene's units: "m³/s". */
+  /** @p unit with the names of a scene's units: "length³/time" gives "m³/s". */
   std::string in_units_of(const std::string &unit, const UnitParameters &units);
 
-  /** Print a heading, what the table is, and its columns. */
+  /** Print a heading, the definition of the table, and its columns. */
   void print_markdown(std::ostream &out, const TableInfo &table);
 
-  /** A file of comma-separated values whose rows are on the disk as soon as they are
-   *  appended. Writing is for one rank only. All functions throw ComputationError if the
-   *  file cannot be written; then the table ends with the row before. */
+  /** A file of comma-separated values whose rows are in the file as soon as they are
+   *  appended. Only one rank may write. The functions throw ComputationError if the file
+   *  cannot be written; the table then ends with the row before. */
   class TableFile
   {
   public:
@@ -59,19 +59,19 @@ namespace strait
       return about;
     }
 
-    /** Note a column "name [unit]: definition", or "name: definition" of texts. */
+    /** Add a column "name [unit]: definition", or "name: definition" for texts. */
     void declare(const std::string &text);
 
-    /** Continue the table in its file in @p folder or, if there is none or @p anew, begin
-     *  it there with the header line. */
+    /** Continue the table in its file in @p folder. If there is no file, or if @p anew,
+     *  begin it there with the header line. */
     void open(const std::string &folder, bool anew = false);
 
   protected:
-    /** Append a line with one entry for each of the columns that are written, or none,
-     *  below the header. */
+    /** Append a line with one entry for each column that is written. Without entries,
+     *  make sure only that the file has its header. */
     void write(const std::vector<std::string> &entries);
 
-    Condition of_table, of_columns;
+    Condition table_condition, column_condition; // of columns that are declared next
 
   private:
     TableInfo   about;
@@ -90,13 +90,13 @@ namespace strait
     Table &
     when(const Condition &condition = {})
     {
-      of_columns = condition;
+      column_condition = condition;
       return *this;
     }
 
     /** Add a column. @p value is a member of a row or a function of it, a number or a
      *  text. @p text is "name [unit]: definition" with a unit in terms of length,
-     *  pressure and time, 1 for plain numbers, or "name: definition" of texts. */
+     *  pressure and time, 1 for plain numbers, or "name: definition" for texts. */
     template <typename Value>
     Table &
     add(Value value, const std::string &text)
@@ -115,7 +115,7 @@ namespace strait
       return *this;
     }
 
-    /** Write a row. */
+    /** Append a row to the file. */
     void
     append(const Row &row)
     {
@@ -126,7 +126,7 @@ namespace strait
       write(entries);
     }
 
-    /** Write a whole table to its file in @p folder, in the place of the one before. */
+    /** Write a whole table to its file in @p folder, replacing an earlier one. */
     void
     write_rows(const std::string &folder, const std::vector<Row> &rows)
     {

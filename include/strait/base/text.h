@@ -11,16 +11,16 @@ namespace strait
   /** @p text without white space at both ends. */
   std::string trim(const std::string &text);
 
-  /** @p text without the mark of its encoding that some editors begin it with. */
-  std::string without_mark(const std::string &text);
+  /** @p text without the byte order mark (UTF-8) that some editors put at its head. */
+  std::string without_byte_order_mark(const std::string &text);
 
   /** The parts of @p text between the characters @p separator, trimmed. */
   std::vector<std::string> split(const std::string &text, char separator);
 
-  /** The parts, with @p separator between them. */
+  /** The parts in one text, with @p separator between them. */
   std::string join(const std::vector<std::string> &parts, const std::string &separator);
 
-  /** The row of @p table that has this name; null if there is none. */
+  /** A pointer to the row of @p table that has this name; null if there is none. */
   template <typename Table>
   auto
   find_row(const Table &table, const std::string &name)
@@ -41,15 +41,15 @@ namespace strait
     return join(names, ", ");
   }
 
-  /** A text in the manner of printf. */
+  /** Format a text as printf does. */
   [[gnu::format(printf, 1, 2)]] std::string format(const char *pattern, ...);
 
   /** The shortest decimal number that reads back as @p value. */
   std::string to_text(double value);
 
   /** The candidate that a user who wrote @p word most likely meant: the nearest in edit
-   *  distance, whatever the case, provided it is nearer than half its length. Empty if
-   *  none is. */
+   *  distance, whatever the case, provided that distance is less than half the length of
+   *  the longer one of both. Empty if there is none. */
   std::string nearest_name(const std::string              &word,
                            const std::vector<std::string> &candidates);
 

@@ -9,9 +9,9 @@
 
 namespace strait
 {
-  /** Wall-clock time of nested parts of the program on this rank. A part is timed while
-   *  what its scope() returned exists; scopes must end in the reverse order of their
-   *  beginning. Entering a part again adds to its time. */
+  /** Wall-clock times of nested parts of the program on this rank. A part is timed as
+   *  long as the object that scope() returned for it exists; scopes must end in the
+   *  reverse order of their beginning. Entering a part again adds to its time. */
   class Timers
   {
   public:
@@ -32,26 +32,26 @@ namespace strait
     /** Time @p name as a part of the innermost part that is being timed. */
     [[nodiscard]] std::shared_ptr<void> scope(const std::string &name);
 
-    /** Wall-clock seconds. */
+    /** Wall-clock seconds since @p start. */
     static double
     seconds_since(const Clock::time_point start)
     {
       return std::chrono::duration<double>(Clock::now() - start).count();
     }
 
-    /** The whole since this object was made, and depth first the parts in the order in
-     *  which they first appeared; what the parts of a part leave over is its part
-     *  "other". */
+    /** The time since this object was made, followed by all parts, depth first, in the
+     *  order in which they first appeared. The time of a part that none of its own parts
+     *  accounts for is its part "other". */
     std::vector<Part> table() const;
 
-    /** The table as text, one indented line a part. */
+    /** The table as text, one indented line for each part. */
     std::string summary() const;
 
   private:
     struct Node
     {
       std::string     name;
-      Node           *whole; // that this is a part of
+      Node           *whole; // of which this is a part
       std::list<Node> parts   = {};
       double          seconds = 0.;
     };

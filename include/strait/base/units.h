@@ -8,17 +8,17 @@ namespace strait
 {
   struct ParameterSection;
 
-  /** What one of @p unit is in metres; nothing if the unit is not known. The micro sign
-   *  may be UTF-8, Latin-1, a Greek mu or the letter u. */
+  /** The length of one @p unit in metres; nothing if the unit is not known. The micro
+   *  sign may be UTF-8, Latin-1, a Greek mu or the letter u. */
   std::optional<double> metres_in(const std::string &unit);
 
-  /** What one of @p unit is in pascals; nothing if the unit is not known. */
+  /** The pressure of one @p unit in pascals; nothing if the unit is not known. */
   std::optional<double> pascals_in(const std::string &unit);
 
-  /** What one of @p unit is in seconds; nothing if the unit is not known. */
+  /** The duration of one @p unit in seconds; nothing if the unit is not known. */
   std::optional<double> seconds_in(const std::string &unit);
 
-  /** The units that metres_in() knows, for messages. */
+  /** The units of length, for messages; metres_in() knows some synonyms as well. */
   inline constexpr char length_units[] = "m, cm, mm, um, nm, pm, angstrom, inch";
 
   /** A unit as a file or a user writes it: "nm", or a multiple, "63.1 nm". */
@@ -28,22 +28,22 @@ namespace strait
     std::optional<double> metres; // nothing if the name is no length
   };
 
-  /** What a file or a user wrote; not a length if its name is not known. */
+  /** Parse a unit of length, or a multiple of one, as a file or a user writes it. */
   LengthUnit parse_length_unit(const std::string &text);
 
-  /** A unit of leak rate as it is quoted in the trade: volume per time, or for gases the
-   *  throughput, pressure times volume per time. */
+  /** A unit of leak rate as it is used in the trade: volume per time, or for gases
+   *  throughput, which is pressure times volume per time. */
   struct LeakRateUnit
   {
     const char *name;
     const char *column;        // of leakage.csv
     bool        is_throughput; // Pa m³/s rather than m³/s
-    double      in_si;
+    double      in_si;         // m³/s or Pa m³/s
   };
 
   inline constexpr double standard_atmosphere = 101325.; // Pa
 
-  /** All of them, the volumes first. */
+  /** All units of leak rate, volumes first. */
   inline constexpr LeakRateUnit leak_rate_units[] = {
     {"ml/h", "leak_rate_ml_per_h", false, 1e-6 / 3600},
     {"ml/min", "leak_rate_ml_per_min", false, 1e-6 / 60},
@@ -55,8 +55,8 @@ namespace strait
     {"atm cm3/s", "leak_rate_atm_cm3_per_s", true, 1e-6 * standard_atmosphere},
     {"sccm", "leak_rate_sccm", true, 1e-6 / 60. * standard_atmosphere}}; // at 0 °C
 
-  /** The section Units of a scene: in what its numbers are meant. Computations know no
-   *  units; they serve to read files, to label results and to convert leak rates. */
+  /** The section Units of a scene: the units of its numbers. Computations do not use
+   *  them; they serve to read files, to label results and to convert leak rates. */
   struct UnitParameters
   {
     std::string length; // empty: not stated, as are the others

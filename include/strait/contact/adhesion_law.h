@@ -8,10 +8,10 @@
 namespace strait
 {
   /**
-   * The energy of adhesion per area, γ(g) = −γ0 f(g/z0) at the gap g >= 0. The shape f
-   * is convex and falls from f(0) = 1 to 0, so that the attraction γ'(g) > 0 and its
-   * slope are largest in contact. A value: γ0, z0 and the name of the shape. The shapes
-   * themselves are in adhesion_law.cc; nothing else knows them.
+   * The energy of adhesion per area, γ(g) = −γ0 f(g/z0) at the gap g >= 0. The shape f is
+   * convex and falls from f(0) = 1 to 0, so that the attraction γ'(g) > 0 and the
+   * magnitude of its slope are largest in contact. The class is a plain value: γ0, z0 and
+   * the name of the shape. Only adhesion_law.cc knows the shapes themselves.
    */
   struct AdhesionLaw
   {
@@ -26,12 +26,12 @@ namespace strait
       double traction;  // γ'
       double curvature; // γ''
     };
-    /** At @p gap >= 0. */
+    /** Return the law at @p gap >= 0. */
     Values at(double gap) const;
 
     /**
-     * γ' and γ'' at @p n gaps >= 0, into @p traction and @p curvature. Returns the sum
-     * of γ over them.
+     * Write γ' and γ'' at the @p n values of @p gap, all >= 0, to @p traction and
+     * @p curvature. Return the sum of γ over them.
      */
     double
     evaluate(std::size_t n, const double *gap, double *traction, double *curvature) const;

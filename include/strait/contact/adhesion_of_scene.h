@@ -13,39 +13,40 @@ namespace strait
     AdhesionLaw law;
 
     /**
-     * The Tabor number μT = Rc^{1/3} (γ0/E*)^{2/3} / z0, which says how far the adhesion
-     * reaches, of any shape alike. With van der Waals forces z0 is the distance of the
-     * surfaces where they touch, as in Tabor's own definition (J. Colloid Interface Sci.
-     * 58, 2, 1977); their largest attraction is then 2 γ0/z0, that of the exponential
-     * γ0/z0.
+     * The Tabor number μT = Rc^{1/3} (γ0/E*)^{2/3} / z0, which measures how short the
+     * range of the adhesion is; it is defined alike for all shapes. With van der Waals
+     * forces z0 is the distance between surfaces in contact, as in Tabor's own definition
+     * (J. Colloid Interface Sci. 58, 2, 1977). Their largest attraction is then 2 γ0/z0;
+     * that of the exponential is γ0/z0.
      */
     double tabor_number;
 
     /**
-     * E* over k a, with the grid spacing a and the largest slope k of the attraction:
-     * γ0/z0² for the exponential, 6 γ0/z0² for van der Waals forces. Several points
-     * lie within the edge of a contact if it is 3 or more; below 0.8 contact lines stick
+     * E* / (k a), with the larger grid spacing a and the steepest slope k of the
+     * attraction: γ0/z0² for the exponential, 6 γ0/z0² for van der Waals forces. From 3
+     * on, several points lie within the edge of a contact; below 0.8, contact lines stick
      * to the grid.
      */
     double resolution;
 
-    /** How many times larger it makes the contact area at `Match area at pressure`: twice
-     *  to a relative 0.1 %, or less where the area jumps over that. */
+    /** Contact area at `Match area at pressure` over that without adhesion: 2 to a
+     *  relative 0.1 %, less where the area jumps past that; also 2 without a match. */
     double growth;
   };
 
-  /** Smallest resolution without a warning. At half of it contact lines that begin to
-   *  stick to the grid pass unnoticed, at double of it grids are warned of on which
-   * several points lie within the edge of a contact. */
+  /** Smallest resolution without a warning. With half of this value no warning is given
+   *  where contact lines begin to stick to the grid; with double of it there is a warning
+   *  for grids on which several points lie within the edge of a contact. */
   constexpr double resolved_adhesion = 3.;
 
   /**
-   * The adhesion of the scene, with Adhesion/Enabled; collective. The range is given or
-   * follows from the Tabor number. With `Match area at pressure` the surface energy is
-   * sought for which adhesion doubles the contact area at that nominal pressure, or the
-   * largest one below a jump over that. Throws InputError if the Tabor number is given
-   * and the surface is flat, if twice the area is more than the whole, or if the range is
-   * not resolved by the grid and the scene does not insist.
+   * Return the adhesion of a scene with Adhesion/Enabled on a surface of @p heights. The
+   * range is given or follows from the Tabor number. `Match area at pressure` selects the
+   * surface energy with which adhesion doubles the contact area at that nominal pressure
+   * or, where the area jumps past that, the largest one below the jump. Collective.
+   * Throws InputError if the Tabor number is given and the surface is flat, if twice the
+   * contact area is the whole area or more, or if the grid does not resolve the range and
+   * the scene does not accept that; ComputationError if no match is found.
    */
   SceneAdhesion adhesion_of_scene(const ContactParameters &parameters,
                                   const SlabField         &heights);

@@ -15,26 +15,27 @@ namespace strait
   /**
    * Solves the contact of an adhesive half-space with one surface.
    *
-   * The energy is not convex. Each solve goes down in energy from the state that it
-   * starts from, or from where the last two lead to, so that the states follow a branch
-   * until that ends. At the end it is checked that the energy has a minimum; if not, the
-   * state is pushed off and goes down further.
+   * The energy is not convex. Each solve goes downhill in energy from the given state, or
+   * from the extrapolation of the last two states, so that successive states follow a
+   * branch of minima until it ends. The solution is checked to be a minimum; a saddle
+   * point is left by a push along its softest direction, and the descent continues.
    */
   class AdhesiveContactSolver : public ContactModel
   {
   public:
-    /** @p heights on the grid of the contact problem [length]. When unloading, a state
-     *  without a past comes from full contact, otherwise from the state of the same load
-     *  without adhesion. Collective. */
+    /** @p heights are those on the grid of the contact problem [length]. A state without
+     *  a past starts from full contact if the @p path is unloading, otherwise from the
+     *  state at the same load (or mean gap) without adhesion. Collective. */
     AdhesiveContactSolver(const ContactParameters &parameters,
                           const AdhesionLaw       &law,
                           LoadPath                 path,
                           SlabField                heights);
 
     /**
-     * See ContactModel. Under load control the target may be negative, but not without a
-     * state to start from when loading. A `detached` state is no equilibrium, and none to
-     * start from. Collective.
+     * See ContactModel. All digits are computed in any case, and the fluid may carry more
+     * than the load: adhesion bears tension. Under load control @p target may be
+     * negative, except without a state @p from on a loading path. A `detached` state is
+     * not an equilibrium and must not be passed as @p from. Collective.
      */
     ContactState solve(double              target,
                        const ContactState *from           = nullptr,
@@ -45,7 +46,7 @@ namespace strait
     std::unique_ptr<GapOptimiser> make_optimiser(double target);
     void                          check(double target, const ContactState *from) const;
     SlabField                     start_gap(double              target,
-                                            double              of_solid,
+                                            double              solid_target,
                                             const ContactState *from,
                                             bool                is_dry) const;
     void push_off(const std::vector<double> &v, SlabField &gap) const;
@@ -56,6 +57,6 @@ namespace strait
     const bool              unloads;
     Wall                    wall;
     GapProblem              problem;
-    const double            traction_scale; // rms of K h, or what a flat surface has
+    const double            traction_scale; // rms of K h; 0 if the surface is flat
   };
 } // namespace strait

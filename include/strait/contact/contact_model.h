@@ -5,8 +5,8 @@
 
 namespace strait
 {
-  /** To how many digits of its tolerance a contact is solved. Half of them, which are
-   * 1e-4 of 1e-8, tell where its throats are, unless it is about to close. */
+  /** How many digits of its tolerance a contact is solved to. Half of them, 1e-4 for a
+   *  tolerance of 1e-8, locate the throats, unless the seal is about to close. */
   enum class Digits
   {
     half,
@@ -14,8 +14,8 @@ namespace strait
   };
 
   /**
-   * A half-space against one surface, whatever acts between them. It remembers nothing:
-   * what a state owes to its past comes in with the state that it starts from.
+   * A half-space against one surface, for any interaction between them. A model keeps no
+   * memory: a state depends on the past only through the state that it starts from.
    */
   class ContactModel
   {
@@ -23,15 +23,16 @@ namespace strait
     virtual ~ContactModel() = default;
 
     /**
-     * The state under the nominal pressure or, in gap control, at the mean gap @p target,
-     * reached from the state @p from, or without a past if that is null. A fluid of the
-     * pressure @p fluid_pressure, on the grid of the heights, perhaps with windows, which
-     * the state then has, and continued under the contact, presses the walls apart unless
-     * that is null: it displaces the half-space and carries its mean pressure of the
-     * load, and a point opens where the solid would press less than the fluid. Half of
-     * the @p digits are only meant for a state that is solved once more, from there; a
-     * model may always solve to all of them. Collective. Throws InputError if there is no
-     * such state, ComputationError if the fluid carries more than the load.
+     * Return the state at @p target, a nominal pressure or, in gap control, a mean gap.
+     * It is reached from the state @p from, or has no past if that is null. Unless it is
+     * null, a fluid of the pressure @p fluid_pressure presses the walls apart: it
+     * displaces the half-space, its mean pressure carries part of the load, and a point
+     * opens where the solid would press less than the fluid. The fluid pressure is given
+     * on the grid of the heights, continued under the contact; if it has windows, so has
+     * the state. Half of the @p digits are meant for a state from which the contact is
+     * solved once more; a model may always compute all of them. Collective. Throws
+     * InputError if there is no such state; without adhesion ComputationError if the
+     * fluid carries all the load.
      */
     virtual ContactState solve(double              target,
                                const ContactState *from           = nullptr,

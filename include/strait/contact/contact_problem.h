@@ -11,24 +11,23 @@
 namespace strait
 {
   /**
-   * The points of a contact problem that this rank has, as an optimiser sees them. Knows
-   * neither elasticity nor how they lie. <a, b> is the mean of a·b over the nominal area,
-   * <a> that of a.
+   * The local points of a contact problem as an optimiser sees them, without elasticity
+   * and positions. <a, b> is the mean of a·b over the nominal area, <a> that of a.
    */
   struct ContactProblem
   {
     const MPI_Comm      communicator;
-    const std::size_t   size;    // of the arrays that fields are on this rank
+    const std::size_t   size;    // of a field's array on this rank
     const double *const heights; // h [length]; they must outlive the problem
-    // Of what an array has elsewhere, at points that finer ones cover, nothing is meant.
+    // All other points are covered by finer ones; a field's values there are meaningless.
     const std::vector<SlabLayout::Range> ranges;
-    const double n_points; // the nominal area, in the unit of those of the ranges
+    const double n_points; // of the grid: the nominal area in the unit of Range::area
   };
 
   /**
-   * Without adhesion: minimise ½<p, Gp> − <p, h> over pressures p >= 0. A step on the way
-   * and what it makes of the gap need no more than seven digits, for the gap is found
-   * anew from the pressure in the end.
+   * Contact without adhesion: minimise ½<p, Gp> − <p, h> over pressures p >= 0. Steps and
+   * their responses need no more than seven digits, because in the end the gap is
+   * computed anew from the pressure.
    */
   class DualProblem : public ContactProblem
   {
@@ -40,37 +39,37 @@ namespace strait
 
     virtual ~DualProblem() = default;
 
-    /** u = G p. Returns the work <p, Gp>. Collective. */
+    /** Compute u = G p. Return the work <p, Gp>. Collective. */
     virtual double apply(const double *pressure, double *displacement) = 0;
 
-    /** The same of a step, to seven digits; the response may take its place. Collective.
-     */
+    /** As apply(), to seven digits. Both arrays may be the same. Collective. */
     virtual double respond(const float *step, float *response) = 0;
 
     /**
-     * Replace @p values by M values at the points that @p marks are of; what stands at
-     * the others before must be 0, and then means nothing. M is symmetric and positive on
-     * the marked points and resembles the inverse of G there, up to a factor. Collective.
+     * Replace @p values by M @p values at the points whose @p marks are not 0. At all
+     * other points they must be 0 on entry and are meaningless on return. On the marked
+     * points M is symmetric, positive and, up to a factor, close to the inverse of G.
+     * Collective.
      */
     virtual void precondition(float *values, const std::uint8_t *marks) = 0;
 
-    /** Room for `size` values that lasts until the next respond(), which may use it. */
+    /** Scratch memory for `size` values. The next respond() may overwrite it. */
     virtual float *scratch() = 0;
 
-    /** How often the operator was applied (FFT pairs on a plain grid). */
+    /** How often G was applied so far (FFT pairs on the grid). */
     virtual long n_applications() const = 0;
   };
 
   /** When an optimiser stops. */
   struct ContactTolerance
   {
-    double residual; // in units of `unit`
-    double unit;     // of a gap or, with adhesion, of a traction: the surface's own scale
-    int    max_iterations; // one for each direction that is followed
+    double residual;       // in units of `unit`
+    double unit;           // the surface's scale of gaps or, with adhesion, of tractions
+    int    max_iterations; // each follows one direction
   };
 
-  /** N sums over all points, weighted by area: add_point(i, sums) adds the values of
-   *  point i to them. Collective. */
+  /** Return N sums over all points, each weighted by its share of the nominal area, so
+   *  that a sum is a mean: add_point(i, sums) adds the values of point i. Collective. */
   template <std::size_t N, class Add>
   std::array<double, N>
   weighted_sums(const ContactProblem &problem, const Add &add_point)

@@ -11,31 +11,33 @@
 namespace strait
 {
   /**
-   * Solves the contact of a half-space with one surface, elastic or, beyond the hardness,
-   * perfectly plastic: there the gap of the solution is negative, and by that much the
-   * surface is indented for all states that are reached from this one (Almqvist et al.,
-   * Tribol. Int. 40, 574, 2007). Volume is not conserved.
+   * Solves the contact of a half-space with one surface. It is elastic or, where the
+   * pressure reaches the hardness, perfectly plastic: the solution's gap is negative
+   * there, and by that amount the surface stays indented in all states that are reached
+   * from this one (Almqvist et al., Tribol. Int. 40, 574, 2007). Volume is not conserved.
    *
-   * A problem starts from the state that is given if the load (or mean gap) changes
-   * little, and from those on coarser grids otherwise. The result depends on the start
-   * within the tolerance only, but for its indentation; it has the windows of the fluid's
-   * pressure or, without a fluid, of the state that is given.
+   * If the load (or mean gap) changes little, the optimiser starts from the given state,
+   * otherwise from solutions on coarser grids. Apart from the indentation, the start
+   * affects the result only within the tolerance. The result has the windows of the fluid
+   * pressure or, without a fluid, those of a given state that it starts from.
    */
   class ContactSolver : public ContactModel
   {
   public:
     /**
-     * @p heights on the grid of the contact problem [length]. Of @p parameters
-     * the modulus, hardness, control, method, tolerance and cap on the iterations matter.
-     * Collective.
+     * @p heights are those on the grid of the contact problem [length]. Of @p parameters
+     * the modulus, hardness, yielding, control, method, tolerance and maximum number of
+     * iterations matter. Collective.
      */
     ContactSolver(const ContactParameters &parameters, SlabField heights);
 
     /**
-     * See ContactModel. Where no peak touches at the mean gap @p target, the pressure is
-     * 0 and no iteration is needed. After the cap on iterations the state is admissible
-     * but not `converged`, and the surface is indented no further. Collective. Throws
-     * InputError if @p target is not positive, or more than the hardness bears.
+     * See ContactModel. If no peak touches at the mean gap @p target, the pressure is 0
+     * and no iteration is needed. After the maximum number of iterations the state is
+     * admissible but not `converged`, and the surface is not indented further.
+     * Collective. Throws InputError if @p target is not positive or, where the contact
+     * yields, not less than the hardness; ComputationError if the fluid carries all the
+     * load.
      */
     ContactState solve(double              target,
                        const ContactState *from           = nullptr,
@@ -43,7 +45,7 @@ namespace strait
                        Digits              digits         = Digits::all) override;
 
   private:
-    void check(double target, double of_solid) const;
+    void check(double target, double solid_target) const;
     ContactState
     state_of(const ContactSolution &solution, SlabField pressure, SlabField gap) const;
 
@@ -61,9 +63,9 @@ namespace strait
     Wall                    wall;
     HalfSpaceProblem        problem;
 
-    // With windows, those of the last state.
+    // The problem with the windows of the last state, if it had any.
     SlabField                      zoomed_heights;
-    SlabField                      zoomed_at_rest; // empty before the first fluid
+    SlabField                      zoomed_at_rest; // empty before a fluid displaces them
     std::unique_ptr<ZoomedProblem> zoomed;
   };
 } // namespace strait

@@ -13,16 +13,16 @@
 namespace strait
 {
   /**
-   * What is held while the pressure 0 <= p <= limit is sought: its mean (force control;
-   * the rigid displacement u0 of g = Gp + u0 − h follows) or u0 (gap control).
+   * What is prescribed while the pressure 0 <= p <= limit is sought: its mean (load
+   * control; the rigid displacement u0 in g = Gp + u0 − h follows) or u0 (gap control).
    */
   struct ContactConstraint
   {
     bool   fixes_pressure;
-    double value; // the mean of the pressure, which is less than the limit, or u0
+    double value; // the mean of the pressure, less than the limit, or u0
     double limit = std::numeric_limits<double>::infinity(); // of the pressure
 
-    /** The rigid displacement of gap control; 0 where it is unknown. */
+    /** The rigid displacement u0; 0 in load control, where it is unknown. */
     double
     displacement() const
     {
@@ -30,8 +30,8 @@ namespace strait
     }
 
     /**
-     * The mean that a field with the sum @p sum over points of total weight
-     * @p weight must lose to be admissible: none in gap control.
+     * The constant to subtract from a field to make it admissible: in load control its
+     * mean, from its sum @p sum over points of total weight @p weight; 0 in gap control.
      */
     double
     excess(const double sum, const double weight) const
@@ -39,14 +39,14 @@ namespace strait
       return fixes_pressure && weight > 0 ? sum / weight : 0.;
     }
 
-    /** The factor that gives a pressure of the mean @p mean the prescribed one. */
+    /** The factor that takes a pressure of the mean @p mean to the prescribed one. */
     double
     rescale(const double mean) const
     {
       return fixes_pressure ? value / mean : 1.;
     }
 
-    /** Whether the pressure has an upper limit, and the mean is held. */
+    /** Whether the pressure has an upper limit, which requires that its mean is fixed. */
     bool
     is_limited() const
     {
@@ -54,40 +54,40 @@ namespace strait
     }
   };
 
-  /** What brings a pressure within its limits, point by point. */
+  /** The function of a point's pressure that brings it within the limits. */
   struct WithinLimits
   {
-    double shift;    // before truncation,
-    double factor;   // and what is left is multiplied by this
-    double limit;    // the upper one
-    bool   all_move; // and not only marked points
+    double shift;      // added before truncation
+    double factor;     // applied after truncation
+    double limit;      // the upper one
+    bool   shifts_all; // rather than marked points only
 
     double
     operator()(const double pressure, const bool is_marked) const
     {
-      return all_move || is_marked ? factor * std::clamp(pressure + shift, 0., limit)
-                                   : pressure;
+      return shifts_all || is_marked ? factor * std::clamp(pressure + shift, 0., limit)
+                                     : pressure;
     }
   };
 
   /**
-   * The way to a pressure within the limits of @p constraint that has its mean: @p
-   * pressure truncated and scaled or, where there is an upper limit, the nearest one,
-   * which is reached by the same shift at all points that @p may_move marks. Where these
-   * cannot carry that mean all points move. Collective.
+   * Return the function that brings @p pressure within the limits of @p constraint and to
+   * a prescribed mean. Without an upper limit it truncates and scales. With one it leads
+   * to the nearest such pressure, by the same shift at all points that @p is_active
+   * marks, or at all points where those cannot carry the mean. Collective.
    */
   WithinLimits within_limits(const DualProblem               &problem,
                              const ContactConstraint         &constraint,
-                             const std::vector<std::uint8_t> &may_move,
+                             const std::vector<std::uint8_t> &is_active,
                              const double                    *pressure);
 
-  /** A contact without adhesion whose pressure is to be found; see find_pressure(). */
+  /** A contact problem without adhesion to be solved; see find_pressure(). */
   struct DualTask
   {
     DualProblem            &problem;
     const ContactConstraint constraint;
     const ContactTolerance  tolerance;
-    double *const           pressure; // on the way also beyond its limits
-    double *const           gap;      // on the way anything
+    double *const           pressure; // may exceed its limits during the search
+    double *const           gap;      // meaningless during the search
   };
 } // namespace strait

@@ -8,8 +8,8 @@
 
 namespace strait
 {
-  /** What is held while the gap g >= 0 is sought: its mean or the nominal pressure p0,
-   *  which may be negative. */
+  /** What is prescribed while the gap g >= 0 is sought: its mean or the nominal pressure
+   *  p0, which may be negative. */
   struct GapConstraint
   {
     bool   fixes_mean_gap;
@@ -20,11 +20,11 @@ namespace strait
   struct GapSolution : ContactSolution
   {
     double        nominal_pressure = 0;
-    AdhesiveState adhesion; // but for the curvature
+    AdhesiveState adhesion; // without smallest_curvature and softest_direction
   };
 
-  /** Make @p values 0 where not is_free(i) and, if @p has_no_mean, of the mean 0 where it
-   *  is. Collective. */
+  /** Set @p values to 0 where is_free(i) is false; if @p has_no_mean, subtract their mean
+   *  where it is true. Collective. */
   template <class IsFree>
   void
   project(const ContactProblem &problem,
@@ -45,17 +45,16 @@ namespace strait
       values[i] -= is_free(i) ? mean : 0.;
   }
 
-  /** Of the energy: what rounding may add to it in a step downhill. Half of it may call a
-   *  step uphill that is not, near the end; double of it admits steps that gain nothing.
-   */
+  /** Relative rise of the energy that rounding may cause in a downhill step. Half of it
+   *  may reject such steps near the end, double of it admits steps that gain nothing. */
   constexpr double energy_noise = 3e-13;
 
   /**
-   * A method that goes down in energy from a given gap g >= 0 to a stationary one. It
-   * stops there, when the surfaces part, or after too many iterations. What the methods
-   * differ in is how they go one iteration further; what follows from the gap is common
-   * to them: the elastic traction K w, the derivative r of the energy by g, and the
-   * curvature of the adhesion.
+   * A method that goes downhill in energy from a given gap g >= 0 to a stationary one. It
+   * stops there, when the surfaces part, when it gains nothing more, or after too many
+   * iterations. Methods differ in the single iteration. This class computes what follows
+   * from the gap: the elastic traction K w with w = g + h, the derivative r of the energy
+   * with respect to g, and the curvature of the adhesion.
    */
   class GapOptimiser
   {
@@ -67,15 +66,15 @@ namespace strait
     virtual ~GapOptimiser() = default;
 
     /**
-     * @p gap_values: a start on entry (negative values count as 0), the solution on
-     * return; exactly 0 in contact. The residual is the larger of max |r| over open
-     * points and max −r over points in contact, in units of the tolerance's traction; r
-     * is the derivative of the energy. Collective.
+     * Find a stationary gap. @p gap_values is a start on entry, where negative values
+     * count as 0, and the solution on return, exactly 0 in contact. The residual is the
+     * larger of max |r| over open points and max −r over points in contact, in units of
+     * the tolerance's traction, where r is the derivative of the energy. Collective.
      */
     GapSolution solve(double *gap_values);
 
-    /** The derivative r of the energy at the solution: the reaction of the wall in
-     *  contact. Valid as long as this object. */
+    /** The derivative r of the energy at the solution, which in contact is the reaction
+     *  of the wall. The array lives as long as this object. */
     const double *
     reaction() const
     {
@@ -83,63 +82,61 @@ namespace strait
     }
 
     /**
-     * Whether the solution is a minimum of the energy: the smallest eigenvalue μ that was
-     * found of (K + γ'') v = μ (K + mean_stiffness() M) v, M the mean, on the points
-     * where the gap is positive, for the others are held by the wall. All v have the mean
-     * 0 if that of the gap is held.
+     * Estimate the smallest eigenvalue μ of (K + γ'') v = μ (K + mean_stiffness() ⟨·⟩) v
+     * on the open points; the others are held by the wall. All v have the mean 0 if that
+     * of the gap is fixed. A minimum of the energy has μ > 0; always μ <= 1.
      *
-     * It is sought by preconditioned conjugate gradients on the Rayleigh quotient, each
-     * time to the least along the line. It is at most 1; a minimum has μ > 0. The
-     * quotient bounds μ from above, so a negative one is proof that the gap is no
-     * minimum.
+     * Preconditioned conjugate gradients lower the Rayleigh quotient, each time to its
+     * minimum along a line. The quotient bounds μ from above, so that a negative one
+     * proves that the gap is not a minimum.
      *
-     * The solution is that of the last solve(), whose gap must be as it was left.
-     * @p v is a start on entry, or noise if it is empty on all ranks.
-     * Needs five fields with it. Collective.
+     * The solution is that of the last solve(), whose gap must not have been changed
+     * since. @p v is a start on entry, replaced by noise if it is empty on all ranks, and
+     * the eigenvector found on return. Needs five fields, @p v included. Collective.
      */
     double smallest_curvature(std::vector<double> &v) const;
 
   protected:
-    /** Forget what was learned on the way to another solution. */
+    /** Discard what was learned from an earlier solve(). */
     virtual void
     begin()
     {
     }
 
-    /** One iteration from the present gap, whose residual is @p residual. Returns whether
-     *  the energy fell. */
+    /** Do one iteration from the present gap, whose residual is @p residual. Return false
+     *  if it finds no step that lowers the energy. Collective. */
     virtual bool descend(double residual) = 0;
 
-    /** A field of zeros, for a method to keep. */
+    /** A field of zeros. */
     std::vector<double>
     field() const
     {
       return std::vector<double>(problem.size);
     }
 
-    /** What follows from the gap as it is, after it was changed by others. One
+    /** Recompute all that follows from the gap, after a change other than by move(). One
      *  application of K; collective. */
     void refresh();
 
     /**
-     * g += length·d, where the response is K d and <d, Kd> is @p work; negative
-     * values that rounding leaves become 0. Collective.
+     * Step g += length·d along the @p direction d. The @p response is K d, and @p work is
+     * <d, Kd>. Values that are 0 but for rounding become 0. Collective.
      */
     void
     move(const double *direction, const double *response, double work, double length);
 
-    /** The values that an admissible gap may not have become the nearest ones, at
-     *  the prescribed mean. Collective. */
+    /** Set negative values to 0 and, if the mean gap is fixed, scale the others to it.
+     *  Collective. */
     void make_admissible(double *values) const;
 
-    /** Values 0 off the free points, and at fixed mean gap of the mean 0 on them.
-     *  Collective. */
+    /** Set @p values to 0 except on the free points; if the mean gap is fixed, subtract
+     *  their mean there. Collective. */
     void project_on_free(double *values) const;
 
-    /** Replace @p z by M z on the free points. Collective. */
+    /** Replace @p z by M z on the free points and by 0 elsewhere. Collective. */
     void precondition(double *z);
 
-    /** Open, or in contact but pulled away: free to move. */
+    /** Whether point @p i may move: it is open, or in contact but pulled away. */
     bool
     is_free(const std::size_t i) const
     {
@@ -165,7 +162,7 @@ namespace strait
 
     const GapConstraint    constraint;
     const ContactTolerance tolerance;
-    double                 pressure = 0; // p0, at fixed mean gap so that ⟨r⟩ = 0
+    double                 pressure = 0; // p0; if sought, open points have the mean r = 0
     double elastic_energy           = 0; // ½⟨w, Kw⟩, and p0 ⟨g⟩ at fixed load
     double adhesive_energy          = 0;
     std::vector<std::uint8_t> closed; // scratch: marks of points that are not free

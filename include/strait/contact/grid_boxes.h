@@ -10,59 +10,59 @@
 
 namespace strait
 {
-  /** A number for each box of 2 × 2 points of a grid, on the rank that has the box and on
-   *  those with points beside it. */
+  /** A number for each box of 2 × 2 points of a grid, on the rank that owns the box and
+   *  on the ranks with points in or next to it. */
   class BoxField
   {
   public:
-    /** @p boxes is the grid of boxes, @p points that of points. */
+    /** @p boxes is the layout of the boxes, @p points that of the points. */
     BoxField(SlabLayoutPtr boxes, const SlabLayout &points);
 
-    /** Those of a row of the grid, which counts modulo the number of rows. */
+    /** The numbers of row @p number of the boxes, taken modulo the number of rows. */
     float *row(int number);
 
     void clear();
 
-    /** Of the rows of other ranks. */
+    /** Clear only the local copies of other ranks' rows. */
     void clear_others();
 
-    /** Send what was added on other ranks' rows to these ranks. Collective. */
+    /** Add the local copies of other ranks' rows to the originals. Collective. */
     void send();
 
-    /** Get the rows of other ranks. Collective. */
+    /** Update the local copies of other ranks' rows. Collective. */
     void fetch();
 
-    std::vector<float> own; // of the boxes of this rank
+    std::vector<float> own; // the numbers of this rank's boxes
 
   private:
     const SlabLayoutPtr    layout;
     const std::vector<int> other_rows;
-    std::vector<float>     beyond; // of those rows
+    std::vector<float>     beyond; // the numbers of these rows
   };
 
   /**
-   * Weighted means over the boxes of 2 × 2 points of a grid, interpolation between them,
-   * and the adjoints of both. Where a side has an odd number of points the last boxes are
-   * half as wide.
+   * Weighted means over the boxes of 2 × 2 points of a grid, linear interpolation between
+   * the boxes, and the adjoints of both. Where a side has an odd number of points the
+   * last boxes are half as wide.
    *
-   * Points are weighed by marks (1 or 0) or, if they are boxes themselves, by the sum of
-   * the weights in them: @p has.
+   * In all functions @p weights gives the weights of the points of a row: marks (1 or 0)
+   * or, if the points are boxes of a finer level, the sums of the weights in them.
    */
   class GridBoxes
   {
   public:
-    /** Boxes whose points have this much weight count in full. With 2 or 4 the contact
-     * takes a few iterations more. */
+    /** A box has the weight 1 from this sum of its points' weights on. With 2 or 4 the
+     *  contact takes a few more iterations. */
     static constexpr float full = 3;
 
-    /** The weight of a point by its mark. */
+    /** The weight of a point with this mark. */
     static float
     weight_of(const std::uint8_t mark)
     {
       return mark ? 1.f : 0.f;
     }
 
-    /** The weight of a box by the sum of those of its points. */
+    /** The weight of a box with this sum of its points' weights. */
     static float
     weight_of(const float sum)
     {
@@ -71,30 +71,32 @@ namespace strait
 
     explicit GridBoxes(const SlabLayoutPtr &points);
 
-    /** Add the local row @p row of points to the boxes, with weights by what @p has says
-     *  of each. */
-    template <class Has>
+    /** Add the weighted values @p points of the local row @p row, and the weights, to the
+     *  sums of the boxes. */
+    template <class Weights>
     void
-    add_row(const int row, const float *points, const Has *has)
+    add_row(const int row, const float *points, const Weights *weights)
     {
       float *value = values.row((first_row + row) / 2);
       float *sum   = sums.row((first_row + row) / 2);
       for_each_box([&](const int i, const auto... of) {
-        value[i] += (... + (weight_of(has[of]) * points[of]));
-        sum[i] += (... + weight_of(has[of]));
+        value[i] += (... + (weight_of(weights[of]) * points[of]));
+        sum[i] += (... + weight_of(weights[of]));
       });
     }
 
-    /** By the sums of the weights; boxes without weight get 0. */
+    /** Divide the values by the sums of the weights; boxes without weight get 0. */
     void divide();
 
-    /** Of the coarsest level: as if interpolated from zeros. */
+    /** Multiply the values by their weights, for the coarsest level: as if the rest were
+     *  interpolated from zeros. */
     void weigh();
 
-    /** Give points what their weights leave open, linear between the boxes. */
-    template <class Has>
+    /** Let a point of the weight w keep this part of its value, and fill up the rest by
+     *  interpolation between the boxes. */
+    template <class Weights>
     void
-    interpolate(const int row, float *points, const Has *has)
+    interpolate(const int row, float *points, const Weights *weights)
     {
       const auto [here, beside] = rows_at(row);
       float *const at           = line.data() + 1;
@@ -104,7 +106,7 @@ namespace strait
       at[n]  = at[0];
 
       const auto set = [=](const int i, const float value) {
-        const float weight = weight_of(has[i]);
+        const float weight = weight_of(weights[i]);
         points[i]          = weight * points[i] + (1 - weight) * value;
       };
       for_each_box([&](const int i, const int even, const auto... odd) {
@@ -114,12 +116,12 @@ namespace strait
     }
 
     /** The adjoint of interpolate(). */
-    template <class Has>
+    template <class Weights>
     void
-    interpolate_adjoint(const int row, float *points, const Has *has)
+    interpolate_adjoint(const int row, float *points, const Weights *weights)
     {
       const auto take = [=](const int i) {
-        const float value = points[i], kept = weight_of(has[i]) * value;
+        const float value = points[i], kept = weight_of(weights[i]) * value;
         points[i] = kept;
         return value - kept;
       };
@@ -142,17 +144,17 @@ namespace strait
     }
 
     /** The adjoint of add_row(). */
-    template <class Has>
+    template <class Weights>
     void
-    add_boxes(const int row, float *points, const Has *has)
+    add_boxes(const int row, float *points, const Weights *weights)
     {
       const float *value = values.row((first_row + row) / 2);
       for_each_box([&](const int i, const auto... of) {
-        (..., (points[of] += weight_of(has[of]) * value[i]));
+        (..., (points[of] += weight_of(weights[of]) * value[i]));
       });
     }
 
-    /** visit(row, values, sums of weights) for the boxes of this rank. */
+    /** Call visit(row, values, sums of weights) for each row of this rank's boxes. */
     template <class Visit>
     void
     for_each_row(const Visit &visit)
@@ -168,7 +170,7 @@ namespace strait
     BoxField            values, sums;
 
   private:
-    /** visit(box, its points along a row). */
+    /** Call visit(box, its points...) for the boxes along a row of points. */
     template <class Visit>
     void
     for_each_box(const Visit &visit) const
@@ -179,7 +181,8 @@ namespace strait
         visit(n - 1, n_columns - 1);
     }
 
-    /** Values of the boxes of a row of points and of those beside it. */
+    /** The values of the row of boxes that contains local row @p row of the points, and
+     *  those of the next nearest row of boxes. */
     std::array<float *, 2>
     rows_at(const int row)
     {

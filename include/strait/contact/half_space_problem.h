@@ -9,16 +9,15 @@
 
 namespace strait
 {
-  /** The points of @p heights, on one periodic grid, perhaps with windows. */
+  /** The points of @p heights, which are on a periodic grid, perhaps with windows. */
   ContactProblem points_of(const SlabField &heights);
 
-  /** The contact of a half-space with heights on one periodic grid. */
+  /** The contact of a half-space with heights on a periodic grid without windows. */
   class HalfSpaceProblem : public DualProblem
   {
   public:
     /**
-     * @p heights are referred to and must outlive this object; @p contact_modulus
-     * is E* > 0. Collective.
+     * @p heights must outlive this object; @p contact_modulus is E* > 0. Collective.
      */
     HalfSpaceProblem(const SlabField &heights, double contact_modulus);
 
@@ -29,36 +28,37 @@ namespace strait
     float *
     scratch() override
     {
-      return of_steps.scratch();
+      return single_precision.scratch();
     }
 
     long
     n_applications() const override
     {
-      return transform.n_pairs() + of_steps.n_pairs();
+      return transform.n_pairs() + single_precision.n_pairs();
     }
 
-    /** Free what is needed only while a contact is being solved. */
+    /** Free the memory that is needed only while a contact is being solved. */
     void
     release()
     {
-      of_steps.release();
+      single_precision.release();
       stiffness.release();
     }
 
   private:
     const double                 modulus;
     FourierTransform             transform;
-    BasicFourierTransform<float> of_steps; // to seven digits
+    BasicFourierTransform<float> single_precision; // for respond()
     PyramidExtension             extension;
     TwoScaleOperator             stiffness;
   };
 
   /**
-   * The same with adhesion: minimise ½⟨w, Kw⟩ + ⟨γ(g)⟩ + p0 ⟨g⟩ over gaps g >= 0, where
-   * w = g + h and K has the symbol E* q/2. M is close to the inverse of K +
-   * mean_stiffness() ⟨·⟩ on the open points: the compliance, of which what it does to the
-   * closed points is taken off, extended to all (PyramidExtension), before and after.
+   * The contact with adhesion: minimise ½⟨w, Kw⟩ + ⟨γ(g)⟩ + p0 ⟨g⟩ over gaps g >= 0,
+   * where w = g + h and K has the symbol E* q/2. On the open points M = (1−ER) C (1−ER)ᵀ
+   * is close to the inverse of K + mean_stiffness() ⟨·⟩. C is about the inverse for all
+   * points (TwoScaleOperator::compliance()), R restricts a field to the closed points and
+   * E extends it from there to all points (PyramidExtension).
    */
   class GapProblem : public ContactProblem
   {
@@ -70,22 +70,22 @@ namespace strait
 
     const AdhesionLaw adhesion;
 
-    /** traction = K w. Returns <w, Kw>. Collective. */
+    /** Compute the traction K w of the @p displacement w. Return <w, Kw>. Collective. */
     double apply(const double *displacement, double *traction);
 
     /**
-     * Replace @p values, which are 0 at points that @p closed marks, by M values.
-     * Collective.
+     * Replace @p values, which must be 0 at the points that @p closed marks, by M
+     * @p values. Collective.
      */
     void precondition(double *values, const std::uint8_t *closed);
 
-    /** What stands in M for the stiffness of a uniform gap [pressure/length]. */
+    /** Stiffness of the longest wave, in M also of a uniform gap [pressure/length]. */
     double mean_stiffness() const;
 
-    /** Rough values of the order one, the same however the points are dealt out. */
+    /** Write pseudo-random values in [−1, 1), the same on any number of ranks. */
     void fill_with_noise(double *values) const;
 
-    /** FFT pairs so far. */
+    /** Number of FFT pairs so far. */
     long
     n_applications() const
     {
@@ -93,13 +93,13 @@ namespace strait
     }
 
   private:
-    /** Replace what stands in `moved` by what the compliance makes of it. */
+    /** Replace `moved` by C times itself. Collective. */
     void move();
 
     const double       modulus;
     FourierTransform   transform;
     PyramidExtension   extension;
     TwoScaleOperator   compliance;
-    std::vector<float> moved, line; // scratch: for all points, for those of a row
+    std::vector<float> moved, line; // scratch: for all local points, for a row
   };
 } // namespace strait

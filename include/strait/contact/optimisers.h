@@ -8,24 +8,22 @@
 #include <cstdint>
 #include <vector>
 
-/** The methods that optimise, each with a source of its own. */
+/** The optimisation methods, each in a source file of its own. */
 namespace strait
 {
   /**
-   * Preconditioned nonlinear conjugate gradients on the pressure of a contact
-   * problem.
+   * Preconditioned nonlinear conjugate gradients on the pressure of a contact problem.
    *
-   * The pressure may leave its limits in one step and is truncated in the next; the
-   * direction stays conjugate to the last one although the contact set changes,
-   * and no line search is needed. That has no proof of convergence, so the dual
-   * energy ½<p, Gp> − <p, h> is watched: while a truncation leaves it above its
-   * lowest value so far, steps go along the preconditioned gradient and truncations
-   * no further.
+   * The pressure may leave its limits in one step and is truncated in the next. The
+   * direction stays conjugate to the last one although the contact set changes, and no
+   * line search is needed. There is no proof of convergence, so the dual energy
+   * ½<p, Gp> − <p, h> is watched: while a truncation leaves it above its lowest value so
+   * far, steps follow the preconditioned gradient and truncations include no step.
    */
   class DualConjugateGradients : private DualTask
   {
   public:
-    /** Where a pressure is: at a limit or between them (or beyond). */
+    /** Where a pressure is: at 0, between its limits (or beyond), at the upper limit. */
     enum class Place : std::uint8_t
     {
       none,
@@ -33,18 +31,18 @@ namespace strait
       full
     };
 
-    /** Needs 6 B a local point beside the two fields. */
+    /** Needs 6 B per local point in addition to the two fields. */
     explicit DualConjugateGradients(const DualTask &task)
       : DualTask(task)
     {
     }
 
-    /** As find_pressure(). */
+    /** See find_pressure(). */
     ContactSolution solve();
 
   private:
     void   find_gap();
-    double survey();
+    double choose_active_set();
     double choose_direction();
     auto   next_direction() const;
     bool   step(double slope);
@@ -55,31 +53,30 @@ namespace strait
 
     using Flags = std::vector<std::uint8_t>;
 
-    // On the way the gap y, the directions and what these make of the gap are in units of
-    // tolerance.unit, so that they are of the order of one in any units, and have seven
-    // digits: what is left of a gap that shrinks has seven digits of its own.
+    // During the search the gap y, the directions and their responses are in units of
+    // tolerance.unit, so that they are of the order of one in any units. Single precision
+    // is enough: a gap that shrinks keeps seven digits of its own.
     std::vector<float> gap_in_units = std::vector<float>(problem.size); // y
 
-    // In the room of the gap, which is needed in all digits before the first step and
-    // after the last.
+    // These share the memory of the gap, which is needed in double precision only before
+    // the first step and after the last.
     float *const direction = reinterpret_cast<float *>(gap); // t
     float *const response  = direction + problem.size;       // r = G t
 
-    std::vector<Place> places     = std::vector<Place>(problem.size); // of p
-    Flags              in_contact = Flags(problem.size, 0); // 1 where p may change: C
+    std::vector<Place> places = std::vector<Place>(problem.size); // of p
+    Flags              active = Flags(problem.size, 0); // 1 where p may change: C
 
-    double gap_shift    = 0;     // by which the exact gap is larger than y was at first
-    double shift        = 0;     // by which y is too large
-    bool   any_beyond   = false; // pressure, its limits
-    bool   gap_is_exact = false; // and not the sum of responses
-    bool   truncated    = false; // by the last step, after which what is open stays so
+    double gap_shift    = 0;     // what find_gap() subtracted from the gap to get y
+    double shift        = 0;     // still to be subtracted from y
+    bool   any_beyond   = false; // whether any pressure is beyond its limits
+    bool   gap_is_exact = false; // rather than updated by responses
+    bool   truncated    = false; // by the last step; then no points join the contact
     double last_length  = 0;     // of a step along t
 
     // The next direction is (z − mean_z) + beta (t − mean_t) on C.
     double mean_z = 0, beta = 0, mean_t = 0;
 
-    // The dual energy falls with every step along t, and may rise with one within the
-    // limits.
+    // The dual energy falls in every step along t, but may rise in a truncation.
     double energy        = 0;
     double energy_scale  = 0;
     double lowest_energy = 0; // of an admissible pressure
@@ -89,12 +86,12 @@ namespace strait
   /**
    * Bound-constrained, preconditioned, nonlinear conjugate gradients on the gap.
    *
-   * The direction t = −M r + β t lives on the free points. Its curvature is foretold
-   * from the last one's, so that K need not be applied to it: the step d =
-   * max(g + s t, 0) − g is formed first, K is applied to that, and the line along d,
-   * on which all gaps are admissible, is searched with what is then known exactly. An
-   * iteration thus costs one application of M and one of K, closing points included,
-   * and the energy falls with each.
+   * The direction t = −M r + β d, with the last step d, is 0 except on the free points.
+   * Its curvature is predicted from that of earlier steps, so that K need not be applied
+   * to it. Instead, K is applied to the projected step d = max(g + s t, 0) − g. All gaps
+   * along d are admissible, and the line search along it knows the elastic energy
+   * exactly. An iteration thus costs one application of M and one of K even if points
+   * close, and the energy falls in each.
    */
   class GapConjugateGradients : public GapOptimiser
   {
@@ -114,21 +111,21 @@ namespace strait
     std::vector<double> step     = field(); // d
     std::vector<double> response = field(); // K d
 
-    // Of the present direction, <t, Kt> is foretold as fixed_work + stiffness free_work.
+    // The prediction for <t, Kt> is fixed_work + stiffness free_work.
     double fixed_work = 0;
     double free_work  = 0;     // <z, r>
-    double stiffness  = 1.5;   // <z, Kz>/<z, r>, at first a typical value
-    double last_fall  = 0;     // −<d, r> of the last step, before it
-    double reach      = 1;     // by which a step that closes points exceeds the foretold
-    bool   truncated  = false; // some point of the step closes
-    bool   restarts   = true;
+    double stiffness  = 1.5;   // <z, Kz>/<z, r>; a typical value to begin with
+    double last_fall  = 0;     // −<d, r> of the last step d, with r before it
+    double reach      = 1;     // of steps that close points, over the predicted length
+    bool   truncated  = false; // whether the step closes any point
+    bool   restarts   = true;  // whether the next direction is −z alone
   };
 
   /**
-   * Truncated Newton's method on the free points: preconditioned conjugate gradients
-   * on the quadratic model of the energy, stopped early or where its curvature turns
-   * negative, and a search along the projected step. The energy falls with each
-   * iteration. Slower than GapConjugateGradients and independent of it.
+   * A truncated Newton method on the free points: preconditioned conjugate gradients on
+   * the quadratic model of the energy, stopped early or at negative curvature, and a
+   * search along the projected step. The energy falls in each iteration. The method is
+   * slower than GapConjugateGradients, and independent of it as a check.
    */
   class GapNewton : public GapOptimiser
   {
@@ -149,11 +146,11 @@ namespace strait
   };
 
   /**
-   * Green's-function molecular dynamics: the half-space moves under the forces of
-   * elasticity, adhesion and load, in time. Each Fourier mode has the mass of its
-   * stiffness, so that all swing with the same frequency 1; a wall stops what reaches
-   * it; FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006) turns the velocity
-   * towards the force, and stops the motion whenever it goes uphill.
+   * Green's-function molecular dynamics: the half-space moves in time under the forces of
+   * elasticity, adhesion and load. The mass of each Fourier mode is about its stiffness,
+   * so that all oscillate with about the same angular frequency 1. The wall stops points
+   * that reach it. FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006) turns the
+   * velocity towards the force, and stops the motion whenever it goes uphill.
    */
   class GapDynamics : public GapOptimiser
   {
@@ -169,17 +166,17 @@ namespace strait
     std::vector<double> velocity     = field();
     std::vector<double> acceleration = field(); // on the free points
 
-    double mixing        = 0; // of the velocity with the acceleration's direction
+    double mixing        = 0; // of the velocity with the direction of the acceleration
     int    steps_forward = 0; // since the motion last went uphill
   };
 
   /**
-   * Solve a contact without adhesion by the method of this name. Its pressure: a start on
-   * entry (values beyond the limits count as these; it must not vanish if its mean is
-   * prescribed), the solution on return. Its gap: on return g = Gp + u0 − h. The
-   * residual is the largest of |g| between the limits of p, −g where p = 0, and g where p
-   * is at its upper limit, over the unit of the tolerance; the constraint holds exactly.
-   * Collective.
+   * Solve a contact without adhesion by @p method, of which only dual_cg allows for an
+   * upper limit of the pressure. task.pressure is a start on entry, where values beyond
+   * the limits count as the limits; it must not vanish if its mean is prescribed. On
+   * return it is the solution, and task.gap is g = Gp + u0 − h. The residual is the
+   * largest of |g| where p is between its limits, −g where p = 0, and g where p is at its
+   * upper limit, in units of the tolerance. The constraint holds exactly. Collective.
    */
   ContactSolution find_pressure(ContactMethod method, const DualTask &task);
 } // namespace strait

@@ -9,19 +9,18 @@
 namespace strait
 {
   /**
-   * Extends a field from the marked points of a periodic grid to all others: the nearer
-   * ones get what is marked beside them, the farther ones means over larger and larger
-   * boxes, up to the whole grid. The result is bounded: as rough as the field on the
-   * marked points has to be, and no rougher, on all scales. (Gortler et al., The
-   * Lumigraph, SIGGRAPH 1996, fill pictures so.)
+   * Extends a field from the marked points of a periodic grid to all others: near ones
+   * get the values of marked points beside them, farther ones means over larger and
+   * larger boxes, up to the whole grid. The result is bounded and, on all scales, no
+   * rougher than the field on the marked points requires. (The push-pull method, by which
+   * Gortler et al., The Lumigraph, SIGGRAPH 1996, fill in images.)
    *
-   * A point counts with its weight, 1 if it is marked, else 0. A box of 2 × 2 points has
-   * their weighted mean as its value, and is itself a point of the next level; its
-   * weight is a third of the sum of theirs, at most 1. On the way back a point of the
-   * weight w keeps this part of its value, and gets the rest from the boxes around it, by
-   * linear interpolation.
+   * The weight of a point is 1 if it is marked, else 0. The value of a box of 2 × 2
+   * points is their weighted mean; its weight is a third of the sum of theirs, at most 1.
+   * Boxes are the points of the next level. On the way back a point of the weight w keeps
+   * this part of its value, and gets the rest by linear interpolation between the boxes.
    *
-   * Costs about two passes over the grid and 3 B a point.
+   * Costs about two passes over the grid and 3 B per point.
    */
   class PyramidExtension
   {
@@ -30,28 +29,28 @@ namespace strait
     explicit PyramidExtension(const SlabLayoutPtr &layout);
 
     /**
-     * Take the means of @p values over boxes of all sizes. What the points have, @p has,
-     * are marks, or sums as those of GridBoxes. Collective.
+     * Take the means of @p values over boxes of all sizes, with weights by @p weights:
+     * marks of the points, or sums of weights as in GridBoxes. Collective.
      */
-    template <class Has>
-    void gather(const float *values, const Has *has);
+    template <class Weights>
+    void gather(const float *values, const Weights *weights);
 
-    /** Extend the same values to points without weight. Collective. */
-    template <class Has>
-    void spread(float *values, const Has *has);
+    /** Then extend the same @p values to points without weight. Collective. */
+    template <class Weights>
+    void spread(float *values, const Weights *weights);
 
-    /** The boxes of 2 × 2 points. Their values are those of the field that was extended,
-     *  until they are changed to what the adjoint is to take of boxes. */
+    /** The boxes of 2 × 2 points. After spread() their values are those of the extended
+     *  field. They may be changed then: extend_adjoint() takes them as input as well. */
     GridBoxes &
     finest()
     {
       return *levels.front();
     }
 
-    /** The adjoint, for the same values, after all of the changes to finest(): points
-     *  without weight end as 0. Collective. */
-    template <class Has>
-    void extend_adjoint(float *values, const Has *has);
+    /** Apply the adjoint of the extension of the last gather() to @p values and to the
+     *  values of finest(). Points without weight become 0. Collective. */
+    template <class Weights>
+    void extend_adjoint(float *values, const Weights *weights);
 
   private:
     template <class Add, class Finish>
@@ -60,10 +59,10 @@ namespace strait
     void descend(const Prepare &prepare, const Give &give);
     template <class Pass>
     void pass_rows(std::size_t l, const Pass &pass);
-    template <class Numbers, class Has, class Pass>
-    void pass_points(Numbers *values, const Has *has, const Pass &pass);
+    template <class Numbers, class Weights, class Pass>
+    void pass_points(Numbers *values, const Weights *weights, const Pass &pass);
 
     const SlabLayoutPtr                     layout;
-    std::vector<std::unique_ptr<GridBoxes>> levels; // the finest first
+    std::vector<std::unique_ptr<GridBoxes>> levels; // finest first
   };
 } // namespace strait

@@ -8,52 +8,51 @@
 
 namespace strait
 {
-  /** Weights of a point, its neighbours in x, in y, and on the diagonals. */
+  /** Weights of a point and its neighbours in x, in y and on the diagonals. */
   struct NinePointStencil
   {
     double centre, x, y, diagonal;
 
-    /** By what it multiplies a wave of the phases per point @p phase_x and @p phase_y. */
+    /** The factor for a wave with the phases @p phase_x and @p phase_y per point. */
     double symbol(double phase_x, double phase_y) const;
   };
 
   /**
-   * A cheap stand-in for the answer of a half-space to waves: a stencil of 3 × 3 points
-   * for those that only points can show, plus what it lacks of the others on boxes of
-   * 2 × 2 points. The stencil is exact for the shortest waves along x, along y and along
-   * both.
+   * A cheap approximation of the response of a half-space: a stencil of 3 × 3 points for
+   * the waves that only the points resolve, plus a Fourier multiplier on boxes of 2 × 2
+   * points for what the stencil lacks of the longer waves. The stencil is exact for the
+   * shortest waves along x, along y and along both.
    */
   class TwoScaleOperator
   {
   public:
     /**
      * The stiffness E* q/2, with E* = @p contact_modulus > 0, for a field on @p points
-     * and its means over @p boxes; that of a uniform field is that of the longest wave.
-     * The sum is 0.8 to 1.6 times the stiffness for all waves. Collective.
+     * and its means over @p boxes. A uniform field has the stiffness of the longest wave.
+     * The sum of both parts is 0.8 to 1.6 times the stiffness for all waves. Collective.
      */
     static TwoScaleOperator stiffness(const SlabLayoutPtr &points,
                                       const SlabLayoutPtr &boxes,
                                       double               contact_modulus);
 
     /**
-     * The compliance 2/(qE*), if what boxes have is found by linear interpolation, and
-     * its adjoint before; a uniform field is multiplied by @p uniform [length/pressure].
-     * On a grid whose points are spaced equally the sum is 0.9 to 1.1 times the
-     * compliance. Collective.
+     * The compliance 2/(qE*), for a field on @p points and what the adjoint of linear
+     * interpolation makes of it on @p boxes; their result is to be interpolated linearly.
+     * A uniform field is multiplied by @p uniform [length/pressure]. The sum of both
+     * parts is 0.9 to 1.1 times the compliance if dx = dy. Collective.
      */
     static TwoScaleOperator compliance(const SlabLayoutPtr &points,
                                        const SlabLayoutPtr &boxes,
                                        double               contact_modulus,
                                        double               uniform);
 
-    /** Replace @p values, one a local point, by the stencil's. Collective. */
+    /** Apply the stencil to @p values, one per local point. Collective. */
     void on_points(float *values) const;
 
-    /** Replace @p values, one a local box, by what the stencil lacks there. Collective.
-     */
+    /** Apply what the stencil lacks to @p values, one per local box. Collective. */
     void on_boxes(float *values);
 
-    /** Free the room for the transform of the boxes until it is needed again. */
+    /** Free the memory for the transform of the boxes until it is needed again. */
     void
     release()
     {
@@ -61,11 +60,11 @@ namespace strait
     }
 
   private:
-    /** Of a wave, by how many times it fits into the box along x and along y. */
+    /** The factor for the wave that fits kx times into the box along x and ky along y. */
     using Answer = std::function<double(double, double)>;
 
-    /** The answer to a uniform field is @p uniform, the stencil's to it @p of_stencil.
-     *  What boxes lack is multiplied by @p weight. */
+    /** The factor for a uniform field is @p uniform; that of the stencil alone is
+     *  @p of_stencil. The part on boxes is multiplied by @p weight. */
     TwoScaleOperator(const SlabLayoutPtr &points,
                      const SlabLayoutPtr &boxes,
                      const Answer        &answer,

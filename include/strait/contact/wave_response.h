@@ -6,16 +6,16 @@
 #include <cmath>
 
 /**
- * How a periodic elastic half-space of the contact modulus E* answers waves: u~(q) =
- * 2 p~(q)/(q E*) for q ≠ 0 and u~(0) = 0 (Johnson, Contact Mechanics, 1985). p > 0
- * presses, u > 0 points away from the substrate.
+ * The response of a periodic elastic half-space of the contact modulus E* to waves:
+ * u~(q) = 2 p~(q)/(q E*) for q ≠ 0 and u~(0) = 0 (Johnson, Contact Mechanics, 1985). A
+ * pressure p > 0 presses; a displacement u > 0 points away from the substrate.
  */
 namespace strait
 {
   /**
-   * E* q/2, by which a half-space answers a displacement by the wave that fits into a
-   * periodic box kx times along x and ky times along y, a function of both, which need
-   * not be whole.
+   * Return the stiffness E* q/2 as a function of (kx, ky): the traction per displacement
+   * for the wave that fits into the periodic box kx times along x and ky times along y.
+   * Neither needs to be a whole number.
    */
   inline auto
   wave_stiffness(const PeriodicGrid &grid, const double contact_modulus)
@@ -28,8 +28,8 @@ namespace strait
     };
   }
 
-  /** 2/(q E*), by which it answers a pressure, and 0 for a uniform one; to the digits of
-   *  @p Number. */
+  /** Return the compliance 2/(q E*) as a function of (kx, ky): the displacement per
+   *  pressure, 0 for a uniform one. It is computed in the precision of @p Number. */
   template <class Number>
   auto
   wave_compliance(const PeriodicGrid &grid, const double contact_modulus)

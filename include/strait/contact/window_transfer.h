@@ -9,9 +9,9 @@
 namespace strait
 {
   /**
-   * Between a window and the patch of its parent that it covers, with a rim of
-   * ZoomWindow::margin points around it: interpolation by polynomials through the eight
-   * nearest points each way, and its adjoint. @p Number is double or float.
+   * Interpolation from a patch of the parent to a window, by polynomials through the
+   * eight nearest points each way, and its adjoint. The patch is what the window covers
+   * and a rim of ZoomWindow::margin points around that. @p Number is double or float.
    */
   template <class Number>
   class WindowTransfer
@@ -32,20 +32,19 @@ namespace strait
       return ny + 2 * ZoomWindow::margin;
     }
 
-    /** The window's values from those of @p patch. */
+    /** Compute the values at the points of @p window from those of @p patch. */
     void interpolate(const std::vector<Number> &patch, Number *window);
 
-    /** The parent's pressure that stands for that of @p window: the adjoint of
-     *  interpolate(), over the nine of the window's points to one of the parent's. */
+    /** Compute the pressure on @p patch that stands for that of @p window: the adjoint of
+     *  interpolate(), over nine, the number of window points per point of the parent. */
     void deposit(const Number *window, std::vector<Number> &patch);
 
-    /** The patch around window @p window of @p layout, this transfer's, from the values
-     * of all points. Collective if the parent is the grid. */
+    /** Return the patch of window @p window of @p layout, for which this transfer was
+     *  made, from the @p values of all points. Collective if the parent is the grid. */
     std::vector<Number>
     patch_of(const SlabLayout &layout, int window, const Number *values) const;
 
-    /** Add what is on @p patch to the values of its points; of the grid, those of this
-     *  rank. */
+    /** Add @p patch to the @p values at its points; of the grid, to local ones. */
     void add_patch(const SlabLayout          &layout,
                    int                        window,
                    const std::vector<Number> &patch,
@@ -59,7 +58,7 @@ namespace strait
     static constexpr int n_support = 2 * ZoomWindow::margin;
 
     int                           nx, ny;
-    std::array<Number, n_support> weights; // of the points around, a third away from one
-    std::vector<Number>           between; // the window's rows, the patch's columns
+    std::array<Number, n_support> weights; // at a third of the spacing after a point
+    std::vector<Number>           between; // scratch: window rows × patch columns
   };
 } // namespace strait

@@ -12,28 +12,29 @@
 namespace strait
 {
   /**
-   * A stand-in for the inverse of a half-space's compliance on the marked points of a
-   * grid and nested windows of finer points: the sum, over the levels, of the stiffness
-   * of what a level adds, and of a PyramidExtension to all points before and its adjoint
-   * after.
+   * The approximate inverse of a half-space's compliance on the marked points of a grid
+   * and nested windows of finer points. A field is extended to all points as by
+   * PyramidExtension. Then each level contributes the stiffness of what it adds to the
+   * field, and the adjoint of the extension follows.
    *
-   * What a point of a parent has is the mean of the nine points that a window has of it;
-   * what the window adds is the difference from the parent's values, interpolated. For
-   * the extension the mean is weighted and the windows are the finest levels of the
-   * pyramid. All adjoints are those of the scalar product that is weighted by area.
+   * The value of a parent's point is the mean of the nine points of the window there;
+   * what the window adds is the difference of its values from the interpolated ones of
+   * the parent. In the extension this mean is weighted, and the windows are the finest
+   * levels of the pyramid. Adjoints are those in the scalar product weighted by area.
    *
-   * What stands at points that windows cover means nothing, before and after.
+   * Values at points that windows cover are meaningless, on entry and on return.
    */
   class ZoomedPreconditioner
   {
   public:
-    /** Replaces the values of window @p window by their stiffness in a box of its own. */
+    /** Multiplies @p values of window @p window by the stiffness, in its own box. */
     using WindowStiffness = std::function<void(int window, float *values)>;
 
     /** Collective. */
     ZoomedPreconditioner(const SlabLayoutPtr &layout, double contact_modulus);
 
-    /** Replace @p values, which are 0 but where @p marks are. Collective. */
+    /** Apply the preconditioner to @p values, which must be 0 except at marked points.
+     *  The @p window_stiffness is that of the ZoomedOperator. Collective. */
     void apply(float                 *values,
                const std::uint8_t    *marks,
                const WindowStiffness &window_stiffness);
@@ -49,10 +50,10 @@ namespace strait
     void interpolate(int window, const float *values);
     void add_deposit(int window, float *values);
     template <class OfParent, class Weight>
-    void   give_to_nine(int             window,
-                        float          *values,
-                        const OfParent &of_parent,
-                        const Weight   &weight);
+    void   add_to_children(int             window,
+                           float          *values,
+                           const OfParent &of_parent,
+                           const Weight   &weight);
     float  weight_at(std::size_t i) const;
     float *room_of(int window);
 
@@ -62,10 +63,10 @@ namespace strait
     const SlabLayoutPtr                layout;
     const int                          n_windows;
     PyramidExtension                   extension; // on the grid
-    TwoScaleOperator                   stiffness; // likewise
+    TwoScaleOperator                   stiffness; // on the grid
     std::vector<WindowTransfer<float>> transfers;
-    std::vector<float>                 sums;  // of weights, as if of 2 × 2 points each
-    std::vector<float>                 patch; // of a parent, around a window
-    std::vector<float>                 room;  // for the points of all windows
+    std::vector<float>                 sums;  // of weights, scaled to 2 × 2 points each
+    std::vector<float>                 patch; // scratch: of a parent, around a window
+    std::vector<float>                 room;  // scratch: for the points of all windows
   };
 } // namespace strait

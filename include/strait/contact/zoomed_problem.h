@@ -11,21 +11,21 @@
 namespace strait
 {
   /**
-   * What the surface of a half-space does under a pressure on a periodic grid and on
-   * nested windows of finer points. Each point is known on the finest level that has it,
-   * and stands for the area of its level.
+   * The displacement of a half-space under a pressure on a periodic grid and on nested
+   * windows of finer points. Each point belongs to the finest level that has it, and
+   * stands for the area of a point on that level.
    *
-   * The pressure of a window acts on all that is around it as its mean on the parent's
-   * points does, which the interpolation's adjoint spreads. Inside, the displacement is
-   * interpolated from the parent's, less what that mean makes of it there, plus what the
-   * pressure itself makes. Both are found in a periodic box of the window's own, a little
-   * larger than it: images and means cancel in the difference, so that no kernel of free
-   * space is needed. The operator is symmetric in the scalar product that is weighted by
-   * area.
+   * Outside a window its pressure acts like a mean of it on the points of the parent,
+   * which the adjoint of the interpolation computes. Inside, the displacement is
+   * interpolated from the parent, minus the part that this mean causes, plus what the
+   * pressure itself causes. Both are computed in periodic boxes a little larger than the
+   * window. Periodic images and the mean displacement cancel in the difference, so that
+   * no free-space kernel is needed. The operator is symmetric in the scalar product
+   * weighted by area.
    *
-   * @p Number is double or, for what need not be more than seven digits, float. Values
-   * are those of a SlabField on the layout; at points that windows cover they are
-   * ignored, and 0 in the end.
+   * @p Number is double or, where seven digits are enough, float. Values are laid out
+   * like those of a SlabField on the layout. At points that windows cover, apply()
+   * ignores them and returns 0.
    */
   template <class Number>
   class ZoomedOperator
@@ -35,27 +35,27 @@ namespace strait
     ZoomedOperator(const SlabLayoutPtr &layout, double contact_modulus);
     ~ZoomedOperator();
 
-    /** Replace pressures by displacements. Collective. */
+    /** Replace the pressures @p values by the displacements. Collective. */
     void apply(Number *values);
 
-    /** The same of a pressure that goes on beyond the windows, and is given at the points
-     *  that they cover as well. A window then adds what it knows beyond an interpolation
-     *  of its parent, so that nothing ends at its rim; where it covers others the result
-     *  means nothing. Collective. */
+    /** As apply(), for a pressure that is continuous across the rims of windows and also
+     *  given at the points that they cover. A window adds only its difference from an
+     *  interpolation of its parent, so that no step arises at its rim. Displacements at
+     *  covered points are meaningless. Collective. */
     void apply_to_continuous(Number *values);
 
-    /** Replace the values of window @p window, which are 0 outside of it, by what
-     * stiffness makes of them there. */
+    /** Multiply the values @p own of window @p window, continued by 0 outside of it, by
+     *  the stiffness E* q/2. */
     void stiffen(int window, Number *own);
 
-    /** Give back the room that only apply() needs, until it is called again. */
+    /** Free the memory of the grid's transform until it is needed again. */
     void
     release()
     {
       grid_transform.release();
     }
 
-    /** FFT pairs on the grid so far. */
+    /** Number of FFT pairs on the grid so far. */
     long
     n_pairs() const
     {
@@ -82,20 +82,20 @@ namespace strait
   };
 
   /** The contact of a half-space with heights on a periodic grid and nested windows of
-   *  finer points, one problem over all points: ZoomedOperator. */
+   *  finer points: one problem over all points, with a ZoomedOperator as G. */
   class ZoomedProblem : public DualProblem
   {
   public:
-    /** @p heights, on a layout with windows [length], are referred to and must outlive
-     *  this object; @p contact_modulus is E* > 0. Collective. */
+    /** @p heights [length], on a layout with windows, must outlive this object;
+     *  @p contact_modulus is E* > 0. Collective. */
     ZoomedProblem(const SlabField &heights, double contact_modulus);
 
     double apply(const double *pressure, double *displacement) override;
     double respond(const float *step, float *response) override;
     void   precondition(float *values, const std::uint8_t *marks) override;
 
-    /** What a fluid of the pressure @p pressure does to the surface, at the points that
-     *  no window covers. Collective. */
+    /** Compute the @p displacement by a fluid of the pressure @p pressure, meaningless at
+     *  points that windows cover. Collective. */
     void displace(const SlabField &pressure, double *displacement);
 
     float *
@@ -107,7 +107,7 @@ namespace strait
     long
     n_applications() const override
     {
-      return exact.n_pairs() + of_steps.n_pairs();
+      return exact.n_pairs() + single_precision.n_pairs();
     }
 
   private:
@@ -116,8 +116,8 @@ namespace strait
     act(ZoomedOperator<Number> &compliance, const Number *pressure, Number *displacement);
 
     ZoomedOperator<double> exact;
-    ZoomedOperator<float>  of_steps;
+    ZoomedOperator<float>  single_precision;
     ZoomedPreconditioner   preconditioner;
-    std::vector<float>     room, pressed; // scratch; the step that is responded to
+    std::vector<float>     room, pressed; // scratch; a copy of the step in respond()
   };
 } // namespace strait

@@ -10,25 +10,25 @@
 namespace strait
 {
   /**
-   * Element matrices of a Lagrange element FE_Q(p) on rectangles, from the
-   * moments of the coefficient c:
+   * Stiffness matrices of the Lagrange element FE_Q(p) on rectangles,
    *   A_ij = ∫ c ∇φ_i·∇φ_j,
-   * exact for the quadrature that made the moments, in deal.II's numbering.
+   * from the moments of the coefficient c. They are exact for the quadrature that made
+   * the moments; nodes are in deal.II's order.
    */
   class ElementMatrix
   {
   public:
     explicit ElementMatrix(const MomentSet &set);
 
-    /** A of a cell of @p hx × @p hy with the given @p moments. */
+    /** Compute A for a cell of size @p hx × @p hy from its @p moments. */
     void stiffness(const double               *moments,
                    double                      hx,
                    double                      hy,
                    dealii::FullMatrix<double> &matrix) const;
 
     /**
-     * uᵀAu formed from differences to the first value, so that a small gradient on
-     * a large constant loses no digits.
+     * Return uᵀAu. It is formed from differences to the first value, so that a small
+     * gradient on top of a large constant loses no digits.
      */
     template <class Values>
     static double
@@ -41,14 +41,14 @@ namespace strait
       return sum;
     }
 
-    /** ∫ ∇u·curl v with curl v = (∂v/∂y, −∂v/∂x); the same on any rectangle. */
+    /** Return ∫ ∇u·curl v with curl v = (∂v/∂y, −∂v/∂x), the same on any rectangle. */
     double gradient_times_curl(const std::vector<double> &u,
                                const std::vector<double> &v) const;
 
   private:
     unsigned int n;
-    // The factors of the moments in A_ij, j <= i, row by row: from ∂x∂x, to be scaled
-    // with hy/hx, and from ∂y∂y, to be scaled with hx/hy.
+    // The factors of the moments in A_ij for j <= i, row by row: those of ∂x∂x, to be
+    // scaled by hy/hx, and those of ∂y∂y, to be scaled by hx/hy.
     dealii::FullMatrix<double> along_x, along_y;
     dealii::FullMatrix<double> curl_matrix;
   };

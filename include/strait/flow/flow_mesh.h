@@ -16,8 +16,8 @@
 namespace strait
 {
   /**
-   * The quadtree mesh (p4est) on which the fluid flows, with boundary id 0 at the inlet
-   * and 1 at the outlet. That of the box is periodic across the flow, and its cells are
+   * The quadtree mesh (p4est) of the flow problem, with boundary id 0 at the inlet and 1
+   * at the outlet. The mesh of the box is periodic across the flow, and its cells are
    * cells of the quadtree over the grid of the gap. A seal mesh has walls instead, cells
    * of any shape, and curved edges where its boundary is a circle.
    */
@@ -33,29 +33,29 @@ namespace strait
     static constexpr dealii::types::boundary_id right_wall     = 2;
     static constexpr dealii::types::boundary_id left_wall      = 3;
 
-    /** The coarsest mesh: of the box, of at least 2 × 2 cells, or @p seal, which must
-     *  outlive this object. */
+    /** Make the coarsest mesh: that of the box, with at least 2 × 2 cells, or that of
+     *  @p seal, which must outlive this object. */
     FlowMesh(const GapField &gap,
              FlowDirection   direction,
              const SealMesh *seal = nullptr);
 
-    /** What the mesh was made from; null: the box. */
+    /** The seal mesh that this mesh was made from; null: the box. */
     const SealMesh *
     seal() const
     {
       return seal_mesh;
     }
 
-    /** From the unit cell to a cell. */
+    /** The mapping from the unit cell to a cell. */
     const dealii::Mapping<2> &
     mapping() const
     {
       return cell_mapping;
     }
 
-    /** What makes functions of @p dofs continuous where nodes hang, and across the
-     *  periodic boundary, if there is one; of the locally relevant unknowns, not closed.
-     */
+    /** Return the constraints, not closed, that make functions of @p dofs continuous at
+     *  hanging nodes and across the periodic boundary, if there is one. They are those
+     *  of the locally relevant unknowns. */
     dealii::AffineConstraints<double> continuity(const dealii::DoFHandler<2> &dofs) const;
 
     Triangulation &
@@ -83,7 +83,7 @@ namespace strait
       return periodic_grid;
     }
 
-    /** The cell of the grid's quadtree that @p cell is; not of a seal mesh. */
+    /** Return @p cell as a cell of the grid's quadtree; not for a seal mesh. */
     GridCell grid_cell(const dealii::CellAccessor<2> &cell) const;
 
     /** Lengths of @p cell along x and y. */
@@ -97,16 +97,16 @@ namespace strait
     /** The length of the longest edge of @p cell in spacings of the grid. */
     double size_in_spacings(const dealii::CellAccessor<2> &cell) const;
 
-    /** Whether the smallest cells are no larger than the spacing of the grid, those of a
-     *  seal mesh than a cell of the box as often divided would be. */
+    /** Whether the smallest cells are no larger than the spacing of the grid. Cells of a
+     *  seal mesh count like those of the box after as many refinements. */
     bool
     reaches_spacing() const
     {
       return static_cast<int>(tria.n_global_levels()) > root_exponent;
     }
 
-    /** Whether the smallest cells may be divided: until an int cannot count those of
-     *  their size, or p4est has no more levels. */
+    /** Whether the smallest cells may be divided: p4est must have another level, and an
+     *  int must be able to count cells of their children's size. */
     bool can_be_refined() const;
 
   private:

@@ -10,10 +10,10 @@
 
 namespace strait
 {
-  /** The nodes that a correction frees, as cells see them, one cell after the other. */
+  /** The nodes that a correction frees, as each cell sees them, cell after cell. */
   struct FreedNodes
   {
-    /** A node on the rim of the cell depends on this freed one. */
+    /** How a node on the rim of a cell depends on one of the freed nodes. */
     struct Dependence
     {
       unsigned int node;
@@ -21,7 +21,7 @@ namespace strait
       double       weight;
     };
 
-    /** Where the part of a cell begins, and that of the cell before it ends. */
+    /** Where the entries of a cell begin, and those of the cell before it end. */
     struct Begin
     {
       std::size_t index = 0, dependence = 0;
@@ -29,17 +29,17 @@ namespace strait
 
     std::vector<unsigned int> indices; // positions in this rank's part of a vector
     std::vector<Dependence>   dependences;
-    std::vector<Begin>        begins; // of all cells, and of one after the last
+    std::vector<Begin>        begins; // of all cells, and one past the last
   };
 
   /**
-   * A solution of degree 1, improved without another mesh: its values are kept, the
-   * nodes that a uniform refinement would add are freed and relaxed by a few steps
-   * of conjugate gradients. Between the 3 × 3 nodes of a cell the potential is then
-   * bilinear on each of its four children. What comes out is admissible, so its energy is
-   * a bound like that of the solution it starts from, and never a worse one with the same
-   * coefficient. The centre of a cell is eliminated, which leaves one unknown for
-   * each edge of the mesh and four of them in a cell.
+   * The hierarchical correction improves a solution of degree 1 without another mesh: it
+   * keeps the nodal values, frees the nodes that a uniform refinement would add, and
+   * relaxes them by a few steps of conjugate gradients. Between the 3 × 3 nodes of a cell
+   * the potential is then bilinear on each of the four children. The result is
+   * admissible, so its energy gives a bound like that of the original solution, and never
+   * a worse one for the same coefficient. The centre of each cell is eliminated, which
+   * leaves one unknown for each edge of the mesh and four of them in a cell.
    */
   class HierarchicalCorrection
   {
@@ -47,8 +47,8 @@ namespace strait
     /** Number the new nodes of the current mesh, for both problems. Collective. */
     explicit HierarchicalCorrection(const FlowMesh &mesh);
 
-    /** Relax the solution of @p problem, with its coefficient taken anew from @p gap.
-     *  @return the energy that it has then. Collective. */
+    /** Relax a copy of the solution of @p problem, with the coefficient taken anew from
+     *  @p gap on the children of the cells. @return its energy afterwards. Collective. */
     double relax(const PotentialProblem &problem, const GapField &gap) const;
 
   private:

@@ -13,26 +13,26 @@ namespace strait
   struct Channel;
   class ReynoldsSolver;
 
-  /** What leaks through one gap, how well that is known, and what it took to find out. */
+  /** The leak rate of one gap, its bounds, and the effort it took to compute them. */
   struct Leakage
   {
-    double rate  = 0.; // Q, the best value within the bounds [volume/time]
+    double rate  = 0.; // Q, the best estimate within the bounds [volume/time]
     double lower = 0.; // bounds of |Q|: from the stream function, best of all meshes …
-    double upper = 0.; // … and from the pressure; of a rarefied gas see RarefiedFlow
+    double upper = 0.; // … and from the pressure; for a rarefied gas see RarefiedFlow
     double mesh_lower = 0.; // the same on the last mesh alone
     double mesh_upper = 0.;
 
-    /** K Δp/|Q| at a uniform conductivity K: of the box its length over its width. */
+    /** K Δp/|Q| for a uniform conductivity K; of the box, its length over its width. */
     double aspect = 1.;
 
-    /** Of a rarefied gas that leaks: relative width of the bracket that the last mesh
-     *  leaves if the gas has the weight that was found, mean free path over gap in the
-     * throat, and which lower bound is the larger one, `any-order` or `two-gases`. */
+    /** Only for a rarefied gas that leaks: relative width of the bracket on the last mesh
+     *  for the weights that were found, mean free path over gap in the throat, and which
+     *  of the two lower bounds is the larger one, `any-order` or `two-gases`. */
     double      mesh_width = std::numeric_limits<double>::quiet_NaN();
     double      knudsen    = std::numeric_limits<double>::quiet_NaN();
     std::string bound      = "none";
 
-    /** What the linear solver leaves over, relative. */
+    /** Relative error of the energies at which the linear solver stops. */
     double linear_error = 0.;
 
     unsigned long long cells       = 0;
@@ -49,7 +49,7 @@ namespace strait
       return upper > 0 ? (upper - lower) / upper : 0.;
     }
 
-    /** How far the rate is, relative, from that bound which is further away. */
+    /** Relative distance of the rate from the bound that is further away. */
     double
     relative_error() const
     {
@@ -58,20 +58,21 @@ namespace strait
     }
   };
 
-  /** The uniform gap that would leak as much [length]: (12 η Q · aspect/Δp)^(1/3), unless
-   *  the gas is rarefied. */
+  /** Return the uniform gap that would leak as much [length]: (12 η Q · aspect/Δp)^(1/3),
+   *  less for a rarefied gas. Not a number without a pressure drop. */
   double effective_gap(const Leakage &leakage, const FluidParameters &fluid);
 
-  /** Where the pressure drops, along the path of least resistance. */
+  /** How the pressure drop is shared out along the path of least resistance. */
   struct ConstrictionReport
   {
-    double points_along      = 0.; // points of its level on one length of the throat
-    double fraction_at_worst = 0.; // of the pressure drop, at one constriction
-    int    n_for_90_percent  = 0;  // constrictions that carry 90 % of the drop
+    double points_along      = 0.; // points, of its level, on one Throat::length
+    double fraction_at_worst = 0.; // largest share of the drop at one constriction
+    int    n_for_90_percent  = 0;  // fewest constrictions with 90 % of the drop
     int    n_constrictions   = 0;
   };
 
-  /** @p solver has solved for the flow in @p channel. Collective. */
+  /** Report on the first path of @p channel, whose flow @p solver has solved for.
+   *  Collective. */
   ConstrictionReport report_constrictions(const Channel        &channel,
                                           const ReynoldsSolver &solver);
 } // namespace strait

@@ -12,37 +12,37 @@
 
 namespace strait
 {
-  /** A matrix of the unknowns, which the ranks share. */
+  /** A matrix of the unknowns, distributed over the ranks. */
   using UnknownsMatrix = dealii::TrilinosWrappers::SparseMatrix;
 
-  /** A vector of them. */
+  /** A vector of the unknowns, distributed likewise. */
   using UnknownsVector = dealii::TrilinosWrappers::MPI::Vector;
 
   /**
-   * One algebraic multigrid cycle, as an approximate inverse of the symmetric positive
-   * definite @p matrix, whose rows are dealt out in contiguous blocks ascending with the
-   * rank: of hypre's BoomerAMG, or of Trilinos' ML, smoothed aggregation. Collective.
+   * Make one cycle of algebraic multigrid, hypre's BoomerAMG or Trilinos' ML (smoothed
+   * aggregation), as an approximate inverse of the symmetric positive definite @p matrix.
+   * Its rows are distributed in contiguous blocks that ascend with the rank. Throws
+   * ComputationError if hypre fails. Collective.
    */
   std::unique_ptr<dealii::TrilinosWrappers::PreconditionBase>
   make_multigrid(FlowPreconditioner kind, const UnknownsMatrix &matrix);
 
-  /** How a linear system was solved. */
+  /** The outcome of a linear solve. */
   struct LinearSolve
   {
     unsigned int iterations   = 0;
-    double       error_energy = 0.; // r·M⁻¹r at the end of one run of the solver
+    double       error_energy = 0.; // r·M⁻¹r at the end of a single run
     bool         converged    = false;
   };
 
   /**
-   * Preconditioned conjugate gradients for A x = b from the start value in @p x and its
-   * residual @p r = b − A x, which is brought up to date with it, until r·M⁻¹r <= @p
-   * goal.
+   * Solve A x = b by preconditioned conjugate gradients, from the start value in @p x and
+   * its residual @p r = b − A x, until r·M⁻¹r <= @p goal. Both are updated.
    *
-   * That is the energy of the error, as far as the preconditioner M⁻¹ resembles A⁻¹,
-   * hence the error of a dissipated power. The residual itself says little: across a
-   * constriction the conductivity changes by many orders of magnitude, and the rows that
-   * decide about the leak rate are the smallest of all. Collective.
+   * As far as the preconditioner M⁻¹ resembles A⁻¹, r·M⁻¹r is the energy of the error,
+   * and hence the error of the dissipated power. The residual itself says little: across
+   * a constriction the conductivity changes by many orders of magnitude, and the rows
+   * that decide about the leak rate are the smallest of all. Collective.
    */
   template <class Matrix, class Vector, class Preconditioner>
   LinearSolve
@@ -70,8 +70,8 @@ namespace strait
         result.error_energy = next;
         ++result.iterations;
       }
-    // Written such that NaN is no success, nor is a negative one, by which rounding tells
-    // that the coefficients differ too much.
+    // Written so that neither NaN nor a value below −goal is a success: rounding makes it
+    // negative where the coefficients differ too much.
     result.converged = std::abs(result.error_energy) <= goal;
     return result;
   }

@@ -17,24 +17,24 @@
 namespace strait
 {
   /** The coefficient c of a potential problem on the owned cells of a mesh, in the order
-   *  of iteration. */
+   *  of iteration, without weights. */
   struct CellCoefficient
   {
-    std::vector<double> means; // over a cell; zero where nothing flows
+    std::vector<double> means; // over each cell; of K, zero where nothing flows
 
-    /** Of A_ij = ∫ c ∇φ_i·∇φ_j the lower halves, row by row. */
+    /** The lower halves of A_ij = ∫ c ∇φ_i·∇φ_j, cell after cell, row by row. */
     std::vector<double> entries;
 
-    /** A of a cell. */
+    /** Set @p matrix to A of @p cell. */
     void stiffness(std::size_t cell, dealii::FullMatrix<double> &matrix) const;
   };
 
   /**
-   * Take the coefficient from @p gap on the cells of @p mesh: of the box, exactly, the
-   * gap being on the grid of the mesh or one with half, a quarter … of its points each
-   * way; of a seal mesh, by quadrature. The potentials are those of @p fe: FE_Q of that
-   * @p degree, or FE_Q_iso_Q1(2) with a degree of 1, bilinear on the four children of a
-   * cell. Collective.
+   * Return the coefficient that follows from @p gap on the cells of @p mesh. In the box
+   * it is exact, and the gap may be on the grid of the mesh or on one with half, a
+   * quarter … of its points each way; on a seal mesh it is integrated by quadrature. The
+   * potentials are those of @p fe: FE_Q of degree @p degree, or FE_Q_iso_Q1(2) with a
+   * degree of 1, bilinear on the four children of a cell. Collective.
    */
   CellCoefficient coefficient_on_cells(const FlowMesh                 &mesh,
                                        unsigned int                    degree,
@@ -52,13 +52,13 @@ namespace strait
   /**
    * One of the two variational problems that enclose the leak rate, on the current
    * mesh:
-   * - pressure, with a conductivity K: p = 1 at the inlet, 0 at the outlet; minimises
-   *   ∫ K |∇p|², whose minimum is Q/Δp;
-   * - stream function, with a resistivity 1/K: ψ = ±(coordinate across)/(length across)
-   *   + periodic part, free at the reservoirs; its curl is a flux of total 1 without
-   *   sources, and it minimises ∫ |∇ψ|²/K, whose minimum is Δp/Q. On a strip ψ is 0 at
-   *   the right and 1 at the left wall; around a ring it is ±(angle)/2π + a function of
-   *   one value.
+   * - pressure, with the conductivity K: p = 1 at the inlet and 0 at the outlet; it
+   *   minimises ∫ K |∇p|², whose minimum is Q/Δp;
+   * - stream function, with the resistivity 1/K: ψ = ±(coordinate across)/(length across)
+   *   + a periodic part, free at the reservoirs; its curl is a divergence-free flux of
+   *   total 1, and it minimises ∫ |∇ψ|²/K, whose minimum is Δp/Q. On a strip ψ is 0 at
+   *   the right and 1 at the left wall; around a ring it is ±(angle)/2π + a
+   *   single-valued function.
    * Both are conforming, so each energy is too large and falls under refinement:
    * the first gives an upper, the second a lower bound of the leak rate.
    */
@@ -68,25 +68,25 @@ namespace strait
     using Vector   = UnknownsVector;
     using Iterator = dealii::DoFHandler<2>::active_cell_iterator;
 
-    /** That of the two to which the @p coefficient belongs. */
+    /** Set up the one of the two problems that has this @p coefficient. */
     PotentialProblem(FlowMesh             &mesh,
                      const MomentSet      &set,
                      GapField::Coefficient coefficient);
 
-    /** Ask @p gap for the coefficient on all cells of the current mesh, which then have
-     * no weights. The solution on the same mesh, or that interpolated from the mesh
-     * before, is kept as a start. Collective. */
+    /** Take the coefficient on all cells of the current mesh from @p gap, and drop the
+     * weights. The solution on this mesh, or that of the previous mesh interpolated to
+     * it, is kept as a start value. Collective. */
     void take_coefficient(const GapField &gap);
 
-    /** Take the solution of @p other, the same problem of another gap on the same mesh,
-     * as a start. */
+    /** Take the solution of @p other, the same problem for another gap on the same mesh,
+     * as a start value. */
     void
     start_from(const PotentialProblem &other)
     {
       distributed = other.distributed;
     }
 
-    /** Multiply the conductivity of each owned cell with one of @p weights. */
+    /** Multiply the conductivity of each owned cell by one of @p weights; none: by 1. */
     void
     set_weights(const std::vector<double> &weights)
     {
@@ -94,31 +94,31 @@ namespace strait
     }
 
     /**
-     * Solve from the solution that is there, until the energy is known to @p accuracy.
+     * Solve, from the present solution, until the energy is known to @p accuracy.
      * Collective.
      */
     LinearSolve solve(const LinearAccuracy &accuracy);
 
-    /** ∫ coefficient |∇·|². Collective. */
+    /** Return ∫ c |∇u|² of the potential u, with weights. Collective. */
     double energy() const;
 
-    /** Keep the solution for the mesh that is about to be refined. */
+    /** Keep the solution, to interpolate it to the mesh that refinement is to make. */
     void prepare_for_refinement();
 
-    /** The owned cells. Their positions are the numbers by which they are asked for. */
+    /** The owned cells. Their positions here are their numbers in all functions. */
     const std::vector<Iterator> &
     cells() const
     {
       return owned_cells;
     }
 
-    /** Values of the potential on a cell, up to a constant for ψ. */
+    /** Get the nodal values of the potential on a cell, up to a constant for ψ. */
     void cell_values(std::size_t cell, std::vector<double> &values) const;
 
-    /** Energy of a cell with these @p values. */
+    /** Return the energy of a cell with these nodal @p values. */
     double cell_energy(std::size_t cell, const std::vector<double> &values) const;
 
-    /** What the weights multiply the coefficient of a cell with. */
+    /** The factor on the coefficient of a cell: its weight, inverted for 1/K. */
     double
     coefficient_weight(const std::size_t cell) const
     {
@@ -128,7 +128,7 @@ namespace strait
       return is_pressure() ? weight : 1. / weight;
     }
 
-    /** One for each owned cell, or none. */
+    /** The weights of the conductivity, one for each owned cell, or none. */
     const std::vector<double> &
     weights() const
     {
@@ -142,7 +142,7 @@ namespace strait
       return coefficient.means[cell];
     }
 
-    /** The same with them. */
+    /** The same, with weights. */
     double
     mean_coefficient(const std::size_t cell) const
     {
@@ -164,14 +164,14 @@ namespace strait
              kind_of_coefficient == GapField::Coefficient::largest_conductivity;
     }
 
-    /** What the coefficient is of the gap, apart from weights. */
+    /** Which function of the gap the coefficient is, apart from weights. */
     GapField::Coefficient
     coefficient_kind() const
     {
       return kind_of_coefficient;
     }
 
-    /** Unknowns that the solver really solves for. */
+    /** Number of unknowns that are neither constrained nor pinned. */
     dealii::types::global_dof_index
     n_unknowns() const
     {
@@ -198,7 +198,7 @@ namespace strait
     UnknownsMatrix empty_matrix() const;
     void           assemble(UnknownsMatrix &matrix, Vector &right) const;
 
-    /** Whether a constant may be added to the potential. */
+    /** Whether the potential is only determined up to a constant. */
     bool
     is_free() const
     {
@@ -208,16 +208,16 @@ namespace strait
     void pin_one_value(UnknownsMatrix &matrix) const;
     void pin_unreached_rows(UnknownsMatrix &matrix);
 
-    /** Add what the potential has besides the solution, up to a constant. */
+    /** Add the prescribed part of ψ, which the solution lacks, up to a constant. */
     void add_background(const Iterator &cell, std::vector<double> &values) const;
 
     /**
-     * Find the part of a ring's stream function that has many values: the angle around
-     * the pole in turns, of the sign that lets its curl flow from inlet to outlet.
-     * Completes the constraints of the other part: where a node hangs, the sum of both
-     * must be continuous, not the other one alone. Collective.
+     * Find the multivalued part of a ring's stream function: the angle around the pole in
+     * turns, with the sign for which its curl flows from inlet to outlet. Also complete
+     * the constraints of the single-valued part: at hanging nodes the sum of both must be
+     * continuous, not that part alone. Collective.
      */
-    void find_angles();
+    void find_multivalued_part();
 
     GapField::Coefficient              kind_of_coefficient;
     FlowMesh                          &mesh;
@@ -233,6 +233,6 @@ namespace strait
     dealii::types::global_dof_index    n_active_unknowns = 0;
 
     using Transfer = dealii::parallel::distributed::SolutionTransfer<2, Vector>;
-    std::unique_ptr<Transfer> transfer; // to the mesh that is being made
+    std::unique_ptr<Transfer> transfer; // to the next mesh, while it is made
   };
 } // namespace strait

@@ -20,55 +20,56 @@ namespace strait
     double lower = 0.;
     double upper = 0.;
 
-    /** Of each active cell: what it contributes to upper − lower, over upper. */
+    /** Contribution of each active cell to upper − lower, over upper. */
     dealii::Vector<float> contributions;
   };
 
   /**
-   * The bracket of a pressure p and a stream function ψ. A cell contributes
-   * ∫ K |∇p + Q_lower/Δp K⁻¹ curl ψ|², which is zero where the flux of both agrees.
-   * Collective.
+   * Return the bracket of a pressure p and a stream function ψ, without hierarchical
+   * correction. A cell contributes ∫ K |∇p + Q_lower/Δp K⁻¹ curl ψ|², which is zero where
+   * the fluxes of both agree. Collective.
    */
   Bracket plain_bracket(const PotentialProblem &pressure,
                         const PotentialProblem &stream_function);
 
   /**
-   * The Reynolds equation ∇·(K ∇p_f) = 0 in a percolating gap, on a mesh that is
-   * refined until the leak rate is bracketed as closely as asked.
+   * Solves the Reynolds equation ∇·(K ∇p_f) = 0 in a percolating gap, on a mesh that is
+   * refined until the bracket of the leak rate is as narrow as asked.
    *
-   * The pressure problem gives an upper, the stream-function problem on the same mesh a
-   * lower bound. Their difference on a cell (plain_bracket()), and the flow through it on
-   * which the two disagree, mark the cells to refine (mark()). K and 1/K are integrated
-   * from above, so that both energies are still too large (CellQuadrature); a cell where
-   * that can be done roughly only is marked as well, as it contributes to the difference.
+   * The pressure problem gives an upper bound, the stream-function problem on the same
+   * mesh a lower one. A cell is marked for its share of their difference
+   * (plain_bracket()), or for the flow through it on which the two disagree (mark()). K
+   * and 1/K are integrated from above, so that both energies remain too large
+   * (CellQuadrature); a cell where this is only roughly possible adds to the difference
+   * and is therefore marked as well.
    *
-   * Of a rarefied gas Q is the volume at the mean pressure of the reservoirs. Its problem
-   * is not linear (RarefiedFlow): on each mesh pressure and weights follow from each
-   * other until they agree, with one weight for each cell. The bracket for these weights
-   * tells what the mesh leaves over, and where to refine; the bounds of the leak rate are
+   * For a rarefied gas, Q is the volume at the mean pressure of the reservoirs. Its
+   * problem is nonlinear (RarefiedFlow): on each mesh, pressure and weights, one for each
+   * cell, are computed from each other until they agree. The bracket for these weights
+   * shows the error of the mesh and where to refine. The bounds of the leak rate are
    * those for the extremes of the weight, on the last mesh.
    */
   class ReynoldsSolver
   {
   public:
-    /** Of a mesh that may have as many unknowns as the accuracy takes. */
+    /** As many unknowns as the accuracy takes, up to Fluid/Maximum unknowns. */
     static constexpr auto unlimited = std::numeric_limits<unsigned long long>::max();
 
-    /** Called after each mesh with what is known so far. */
+    /** Called after each mesh with the result so far. */
     using Observer = std::function<void(const Leakage &)>;
 
-    /** In the box or in @p seal, from a coarse mesh. @p gap, @p fluid and @p seal must
-     *  outlive the solver. */
+    /** Prepare the flow in the box or in @p seal, on a coarse mesh. @p gap, @p fluid and
+     *  @p seal must outlive the solver. */
     ReynoldsSolver(const FluidParameters &fluid,
                    const GapField        &gap,
                    const SealMesh        *seal = nullptr);
 
     /**
-     * Run the adaptive cycle for the gap of @p channel, from the mesh and the solution
-     * that are there if it ran before, to @p tolerance_factor times the target accuracy,
-     * but with at most some ten times the unknowns that the target itself needs; to miss
-     * only what is beyond the target is no failure. A mesh of more than @p most_unknowns
-     * is not refined. Collective.
+     * Run the adaptive cycle for the gap of @p channel, from the mesh and the solution of
+     * the last run if there was one, to @p tolerance_factor times the target accuracy. A
+     * mesh of more than @p most_unknowns is not refined, nor one that meets the target
+     * and has more than eight times the unknowns that the target took. To miss only what
+     * is beyond the target is no failure. Collective.
      */
     Leakage run(const Channel     &channel,
                 const Observer    &observer         = {},
@@ -76,37 +77,36 @@ namespace strait
                 unsigned long long most_unknowns    = unlimited);
 
     /**
-     * Solve for the pressure alone on the mesh of run(), after the gap has changed a
-     * little. Returns the upper bound of the leak rate. Collective.
+     * Solve for the pressure alone on the mesh of run(), after a small change of the gap.
+     * Return the upper bound of the leak rate; not for a rarefied gas. Collective.
      */
     double solve_pressure();
 
-    /** By how much the leak rate would change, relative, if the gap were that of @p
-     * other, which may be known on every second, fourth … point only, on the mesh of
-     * run(): from the energies of both problems, of which one is
-     * too large and the other as much too small; infinite if the linear solver fails.
-     * Collective. */
+    /** Return the relative change of the leak rate if the gap were that of @p other,
+     *  which may be known on every second, fourth … point only. On the mesh of run() it
+     *  is the geometric mean of what both problems find, of which one is too large and
+     *  the other as much too small; infinite if the linear solver fails. Collective. */
     double change_in(const GapField &other);
 
-    /** The fluid's pressure where the solution of the pressure problem is @p potential.
-     */
+    /** Return the fluid's pressure where the pressure problem has the @p potential. */
     double pressure_at(double potential) const;
 
-    /** The mesh and the pressure (1 at the inlet, 0 at the outlet; of a rarefied gas Ψ)
-     * of run(). */
+    /** The mesh of run(). */
     const FlowMesh &
     mesh() const
     {
       return flow_mesh;
     }
 
+    /** The potential of run(), 1 at the inlet and 0 at the outlet: linear in p for a
+     *  liquid, in p² for a gas and in Ψ for a rarefied gas. */
     const PotentialProblem &
     pressure() const
     {
       return pressure_problem;
     }
 
-    /** The stream function of run(), for a leak of 1. */
+    /** The stream function of run(), for a leak rate of 1. */
     const PotentialProblem &
     stream_function() const
     {
@@ -114,44 +114,46 @@ namespace strait
     }
 
   private:
-    /** What another mesh must leave of the bracket at most to pay. One closer to one
-     *  makes more meshes in vain where the grid is too coarse, a smaller one gives up
-     *  where the bracket narrows slowly. */
-    static constexpr double progress = .97;
+    /** Another mesh pays only if the last few narrowed the bracket to this part of its
+     *  width. A value closer to 1 makes more meshes in vain where the grid is too coarse,
+     *  a smaller one gives up where the bracket narrows slowly. */
+    static constexpr double useful_narrowing = .97;
 
     LinearAccuracy accuracy() const;
     LinearSolve    solve(PotentialProblem &problem);
     double         drive() const;
 
-    /** Solve for the pressure of the gas, and for the weights of its conductivity, in
-     * turn, until the weights hardly change the energy. */
+    /** Solve in turn for the pressure of the gas and for the weights of its conductivity,
+     *  until new weights hardly change the energy. */
     LinearSolve solve_rarefied();
 
-    /** Replace the bounds of @p leakage, which are for the weights that were found, by
+    /** Replace the bounds of @p leakage, which hold for the weights that were found, by
      *  those of the nonlinear problem of the gas (RarefiedFlow), from linear problems on
-     *  the last mesh, and tell the Knudsen number in the throat of @p path. */
+     *  the last mesh. Also set the Knudsen number in the throat of @p path. */
     void bound_rarefied(const FlowPath &path, Leakage &leakage);
 
-    /** @return whether the linear solver converged; the bounds hold either way. */
+    /** Update @p leakage on this mesh. @return whether the linear solver converged; the
+     *  bounds hold either way. */
     bool solve_on_mesh(Leakage &leakage);
 
-    /** @return why another mesh would not pay; empty if it would. */
-    std::string obstacle(const Leakage &leakage);
+    /** Record the width of the bracket. @return why another mesh would not pay; empty if
+     *  it would. */
+    std::string reason_to_stop(const Leakage &leakage);
 
     /** @return false, without refining, if another mesh would not pay or not fit. */
     bool refine(const Leakage &leakage, const Channel &channel, double wanted);
 
     /**
-     * Mark the cells to refine, at most @p affordable of all, for the bracket of both
-     * solutions (plain_bracket()), of which the part @p excess is too much: those that
-     * contribute more than others, and those on whose flow the solutions disagree by more
-     * than the part of the bracket's width that is that of one constriction of the first
-     * path of @p channel. Returns false, with none marked, if there are none or if so few
-     * could be that another mesh does not pay. Collective.
+     * Mark cells to refine, at most the fraction @p affordable of all, if the part
+     * @p excess of the bracket's width (plain_bracket()) is too much: cells that
+     * contribute more to it than others, and cells on whose flow the two solutions
+     * disagree by more than the part of the width that falls to one constriction of the
+     * first path of @p channel. Return false if there are none, or if so few may be
+     * marked that another mesh does not pay; nothing is marked then. Collective.
      */
     bool mark(const Channel &channel, double excess, double affordable);
 
-    dealii::Vector<float> hidden_flows(const Channel &channel) const;
+    dealii::Vector<float> disputed_flows(const Channel &channel) const;
 
     const FluidParameters &parameters;
     const GapField        &gap_field;
@@ -160,7 +162,7 @@ namespace strait
     PotentialProblem       pressure_problem;
     PotentialProblem       stream_problem;
     std::vector<double> widths; // log(upper/lower) on the meshes that reach the spacing
-    Bracket             plain;  // without correction; says where to refine
+    Bracket             plain;  // without correction; guides refinement
     unsigned long long  unknowns_needed = 0; // for the target accuracy; 0: not known
   };
 } // namespace strait

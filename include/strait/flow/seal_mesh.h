@@ -14,19 +14,19 @@
 namespace strait
 {
   /**
-   * The coarse mesh on which the fluid flows, with all that follows from its boundary.
+   * The coarse mesh of a seal, as the user gives it, with what follows from its boundary.
    *
-   * Boundary id 0 is the inlet, 1 the outlet, the rest are walls. Two shapes are known,
-   * in which the stream function has a place to begin and to end:
+   * Boundary id 0 is the inlet, 1 the outlet; all other edges are walls. Two shapes are
+   * supported, those for which boundary values of the stream function are known:
    * - strip: one closed boundary, of inlet, wall, outlet and wall;
    * - ring: two closed boundaries, one the inlet and the other the outlet.
    *
-   * A curve of the geometry on whose boundary edges, two or more, all points lie on a
-   * circle is taken to be that circle; edges of other curves are straight.
+   * If a curve of the geometry has two or more boundary edges, and all their points lie
+   * on a circle, it is taken to be that circle; edges of other curves are straight.
    */
   struct SealMesh
   {
-    /** [length] */
+    /** A circle [length]. */
     struct Circle
     {
       dealii::Point<2> centre;
@@ -51,14 +51,14 @@ namespace strait
     dealii::Point<2> pole;                  // of a ring: a point in its hole …
     bool             flows_outwards = true; // … and whether the inlet is around it
 
-    /** The boundary in straight pieces, arcs in ones of at most @p longest. */
+    /** Return the boundary in straight pieces, arcs in pieces of at most @p longest. */
     std::vector<OutlineEdge> outline(double longest) const;
   };
 
-  /** What strait takes from a Gmsh file: quadrilaterals and lines between points. */
+  /** What strait uses of a Gmsh file: quadrilaterals and lines between points. */
   struct MeshFile
   {
-    /** A line element and where it comes from. */
+    /** A line element and the curve that it is part of. */
     struct Line
     {
       std::array<unsigned int, 2> points;
@@ -72,36 +72,36 @@ namespace strait
   };
 
   /**
-   * Take the @p text of a Gmsh file in ASCII format 4.1 apart; @p name stands for it in
-   * messages. Points are numbered anew from 0, those of no element left out. Throws
-   * InputError for another format, other elements (single points aside), points off the
-   * plane z = 0 and whatever does not make sense.
+   * Parse the @p text of a Gmsh file in ASCII format 4.1; @p name stands for it in
+   * messages. Points are renumbered from 0, without those of no line or quadrilateral.
+   * Throws InputError for another format, other elements (except single points), points
+   * off the plane z = 0, and text that makes no sense.
    */
   MeshFile parse_mesh_file(const std::string &text, const std::string &name);
 
   /**
-   * The mesh of a Gmsh file; @p name stands for it in messages. Throws InputError, the
-   * same on all ranks, where a cell is not convex, or the boundary is neither a strip's
-   * nor a ring's.
+   * Make the mesh of a Gmsh file; @p name stands for it in messages. Throws InputError,
+   * the same on all ranks, if a cell is not convex, if cells overlap, or if the boundary
+   * touches itself or is neither that of a strip nor that of a ring.
    */
   SealMesh make_seal_mesh(const MeshFile &file, const std::string &name);
 
-  /** Read the Gmsh file at @p path, which must lie in the box of @p grid. Collective. */
+  /** Read the mesh from the Gmsh file at @p path. Throws InputError if that fails or if
+   *  the mesh leaves the box of @p grid. Collective. */
   SealMesh
   read_seal_mesh(const std::string &path, const PeriodicGrid &grid, MPI_Comm comm);
 
   /**
-   * Tell from the boundary @p edges of @p mesh, given by their first points, of which
-   * inlet and outlet are known, whether it is a strip or a ring, and set what follows:
-   * the edges, one closed boundary after the other, which wall is which, or where the
-   * hole is. Throws InputError if it is neither; @p name stands for the mesh in the
-   * message.
+   * Find out whether @p mesh is a strip or a ring, and set what follows: its edges, one
+   * closed boundary after the other, and which wall is which, or where the hole is. The
+   * boundary @p edges are given by their first points; inlet and outlet are known. Throws
+   * InputError if it is neither; @p name stands for the mesh in the message.
    */
   void recognise_shape(SealMesh                                     &mesh,
                        const std::map<unsigned int, SealMesh::Edge> &edges,
                        const std::string                            &name);
 
-  /** The circle through all of @p points, to a millionth of its radius; none if there is
-   *  none, or if they lie on a straight line or are fewer than three. */
+  /** Return the circle through all of @p points, to a millionth of its radius; nothing if
+   *  there is none, if they lie on a straight line, or if they are fewer than three. */
   std::optional<SealMesh::Circle> fit_circle(const std::vector<dealii::Point<2>> &points);
 } // namespace strait

@@ -10,9 +10,9 @@ namespace strait
 {
   class ReynoldsSolver;
 
-  /** The potential of @p solver (1 at the inlet, 0 at the outlet) on a box, at the points
-   *  of its grid, on the seam that at the inlet. Where the channel does not reach it
-   * means nothing. Collective. */
+  /** Return the potential of @p solver (1 at the inlet, 0 at the outlet) in the box, at
+   *  the points of its grid and windows; on the seam, that at the inlet. Where the
+   *  channel does not reach, the value has no meaning. Collective. */
   SlabField potential_on_grid(const ReynoldsSolver &solver, const SlabLayoutPtr &layout);
 
   /** Rows of equally spaced points, in units of the grid's spacings. */
@@ -25,24 +25,23 @@ namespace strait
     int    ny   = 0;
   };
 
-  /** The grid points in steps of @p stride that are counted from 0, without the seam's
-   *  copies. */
+  /** Every @p stride-th grid point each way, from point 0, without copies on the seam. */
   PointRows rows_of_grid(const PeriodicGrid &grid, int stride);
 
   /** The points of window @p window. */
   PointRows rows_of_window(const SlabLayout &layout, int window);
 
-  /** One of some rows of points and the unit coordinates (s, t) that it has in a cell. */
+  /** A point (ix, iy) of some rows, with its unit coordinates (s, t) in a cell. */
   struct PointInCell
   {
     int    ix     = 0;
     int    iy     = 0;
     double s      = 0.;
     double t      = 0.;
-    bool   inside = true; // or beside the cell, at the outline
+    bool   inside = true; // false: beside the cell, at the outline
 
-    /** The bilinear function that has the first four of @p corners, in deal.II's order,
-     *  at the corners of the cell. */
+    /** Return the bilinear function with the first four values of @p corners at the
+     *  corners of the cell, in deal.II's order. */
     template <class Values>
     double
     interpolate(const Values &corners) const
@@ -53,13 +52,13 @@ namespace strait
   };
 
   /**
-   * Those of @p rows in a cell.
+   * Return the points of @p rows in a cell.
    *
-   * Of the box those that lie in the cell or on its lower edges, so that every point
-   * belongs to one cell; the rows may go on beyond the seam, by less than a period. Of a
-   * seal mesh those in the cell or on any edge, with edges taken as straight; hence along
-   * the outline those as well that lie beside the cell by less than a third of it, at the
-   * nearest unit coordinates.
+   * In the box these lie inside the cell or on its lower edges, so that every point
+   * belongs to one cell; the rows may go on beyond the seam, by less than a period. In a
+   * seal mesh they lie inside the cell or on any edge, where edges count as straight. At
+   * the outline, points beside the cell by up to a third of its size are therefore
+   * included, with the nearest unit coordinates.
    */
   std::vector<PointInCell> points_in_cell(const FlowMesh                &mesh,
                                           const dealii::CellAccessor<2> &cell,
@@ -68,14 +67,14 @@ namespace strait
   /** The flow at some points, row by row. */
   struct FlowAtPoints
   {
-    std::vector<float> pressure; // 1 at the inlet, 0 at the outlet
-    std::vector<float> current;  // density of a leak of 1 [1/length]
+    std::vector<float> pressure; // the potential: 1 at the inlet, 0 at the outlet
+    std::vector<float> current;  // density for a leak rate of 1 [1/length]
   };
 
   /**
-   * For pictures: the flow at the points of @p rows, the same on all ranks. The current
-   * is |∇ψ| of the stream function: unlike K∇p that does not carry the grid's fine
-   * structure of K across coarse cells. Collective.
+   * For pictures: return the flow at the points of @p rows, the same on all ranks. The
+   * current is |∇ψ| of the stream function: unlike K∇p, it does not imprint the grid's
+   * fine structure of K on coarse cells. Collective.
    */
   FlowAtPoints flow_at_points(const ReynoldsSolver &solver, const PointRows &rows);
 } // namespace strait

@@ -13,8 +13,8 @@
 
 namespace strait
 {
-  /** The square whose moments are wanted, in the unit coordinates of a cell of a level.
-   */
+  /** The square whose moments are wanted, in the unit coordinates of one cell of the grid
+   *  or of a window. It may extend beyond that cell. */
   struct Square
   {
     double x0   = 0.;
@@ -25,28 +25,31 @@ namespace strait
   /** The coefficient of one of the potential problems, a monotone function of the gap. */
   struct CoefficientLaw
   {
-    double conductivity_of_one; // K of a gap of 1, 1/(12 η)
+    double unit_gap_conductivity; // K of a gap of 1: 1/(12 η)
     double conductivity_floor;
     bool   is_resistivity;
 
-    const GapFactor *factor = nullptr; // of K for a rarefied gas; null: one
+    const GapFactor *factor = nullptr; // multiplies K for a rarefied gas; null: 1
 
     /**
-     * K = g³/(12 η) times the factor, or 1/K with K between the floor and 10¹⁴ times
-     * that. Beyond, rounding would spoil the solution: with ten times as much it still
-     * holds, with 10⁵ times it was lost on a throat of 10⁻⁵ of the widest gap. Whatever
-     * is added where the gap is wide makes the energy larger by less than 10⁻⁵ of that of
-     * the throat. With a floor K itself is no more than 10¹⁸ times that, for the same
-     * reason: what flows into a pool must be what flows out of it, and with 10²⁰ times
-     * the pressure in one between two throats of 10⁻⁷ of its gap was off by a tenth of
-     * the drop. With 10¹⁷ times meshes have half as many cells again, as the pool then
-     * resists as much as coarse cells. What it does resist beside the throat is less than
-     * 10⁻⁸ of what the throat does.
+     * Return K = g³/(12 η) times the factor, or 1/K. Both are limited, as rounding would
+     * spoil the solution of a problem whose coefficient spans too many decades.
+     *
+     * In 1/K, K lies between the floor and 10¹⁴ times the floor. A limit ten times as
+     * large still works; with 10⁵ times as much the solution was lost on a throat of 10⁻⁵
+     * of the widest gap. What the limit adds where the gap is wide increases the energy
+     * by less than 10⁻⁵ of that of the throat.
+     *
+     * With a floor, K itself is at most 10¹⁸ times the floor, so that what flows into a
+     * pool also flows out of it: with 10²⁰ the pressure in a pool between two throats of
+     * 10⁻⁷ of its gap was off by a tenth of the pressure drop. With 10¹⁷ meshes have half
+     * as many cells again, as the pool then resists as much as coarse cells do. With 10¹⁸
+     * the pool adds less than 10⁻⁸ of the resistance of the throat.
      */
     double
     operator()(const double gap) const
     {
-      double k = conductivity_of_one * gap * gap * gap;
+      double k = unit_gap_conductivity * gap * gap * gap;
       if (factor != nullptr && gap > 0.)
         k *= (*factor)(gap);
       if (is_resistivity)
@@ -55,34 +58,34 @@ namespace strait
     }
   };
 
-  /** The moments of one coefficient, as they are added up. */
+  /** The moments of one coefficient, while they are summed up. */
   struct Integral
   {
     CoefficientLaw law;
     double        *moments;
-    double         scale = 0.; // of what was added so far
+    double         scale = 0.; // size of the integral, from its first part; 0: not known
   };
 
   /**
-   * Moments of coefficients on (parts of) one cell of a level, from above: each energy
-   * that is formed of them is to be at least the true one.
+   * Moments of coefficients on one cell of the grid or of a window, or on a part of it,
+   * from above: every energy that is formed from them is meant to be at least the true
+   * one.
    *
-   * A part is integrated by Gauss quadrature of p + 2 points along each axis, and what
-   * p + 1 points find otherwise is added as a constant. That is trusted where the gap is
-   * known to vary little in the part (CellGap::range()); where it hardly varies, p + 1
+   * A part on which the gap is known to vary little (CellGap::range()) is integrated by
+   * Gauss quadrature with p + 2 points along each axis, and the difference from the
+   * result of p + 1 points is added as a constant; where the gap hardly varies, p + 1
    * points are enough. Other parts are divided, at a line on which the gap bends or else
-   * in halves, until the coefficient may be taken to be as large as it is anywhere in
-   * them. For rigorous bounds all parts are treated like that, and halved.
+   * in halves, until the largest value of the coefficient in a part may be taken for all
+   * of it. For rigorous bounds all parts are treated in this second way, and always
+   * halved.
    */
   class CellQuadrature
   {
   public:
     explicit CellQuadrature(const FluidParameters &fluid);
 
-    /**
-     * Add to the moments of @p square, of all @p integrals, those of what the cell with
-     * @p gap at its corners has of it.
-     */
+    /** Add the contribution of the cell whose stencil is @p gap, as far as @p square
+     *  covers it, to the moments of @p square of all @p integrals. */
     void integrate(const GapStencil            &gap,
                    const Square                &square,
                    const std::vector<Integral> &integrals) const;
@@ -96,11 +99,11 @@ namespace strait
   private:
     struct Sums;
 
-    static constexpr int max_points = 4; // of a rule for degree 2
+    static constexpr int max_points = 4; // along an axis, of the fine rule for degree 2
 
     MomentSet         set;
     GapInterpolant    interpolant;
     bool              rigorous;
-    dealii::QGauss<2> coarse, fine; // of p + 1 and p + 2 points along each axis
+    dealii::QGauss<2> coarse, fine; // p + 1 and p + 2 points along each axis
   };
 } // namespace strait

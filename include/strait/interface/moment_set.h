@@ -37,18 +37,17 @@ namespace strait
       return positions[a][b];
     }
 
-    /** Add weight·x^a y^b for all (a, b) to @p moments, of each of the n × n points
-     *  (x[i], y[j]) with weights[j·n + i]. */
+    /** For each of the n × n points (x[i], y[j]) add weights[j·n + i] x^a y^b to
+     *  @p moments, for all (a, b). */
     void add_points(double       *moments,
                     int           n,
                     const double *x,
                     const double *y,
                     const double *weights) const;
 
-    /**
-     * Add to the moments of a cell those of its child @p number, row by row. All moments
-     * are means over their own cell in its own unit coordinates.
-     */
+    /** Add the moments of the child with this @p number, counted row by row, to those of
+     *  its parent. All moments are means over their own cell in its own unit
+     *  coordinates. */
     void
     add_child(double *parent, const double *child, const int number) const
     {
@@ -56,10 +55,8 @@ namespace strait
         parent[t.to] += t.factor * child[t.from];
     }
 
-    /**
-     * The same for any square part of the cell, at (@p x0, @p y0) and of edge @p edge in
-     * the cell's unit coordinates.
-     */
+    /** The same for any square part of the cell, at (@p x0, @p y0) and with the edge
+     *  @p edge in the cell's unit coordinates. */
     void
     add_part(double *cell, const double *part, double x0, double y0, double edge) const;
 
@@ -69,7 +66,7 @@ namespace strait
       int a;
       int b;
     };
-    // What a moment of a part contributes to one of its cell.
+    // The contribution of a moment of a part to a moment of the cell.
     struct Transfer
     {
       int    to;

@@ -12,18 +12,16 @@
 
 namespace strait
 {
-  /** What the viscous conductivity of a gap is multiplied by, tabulated. */
+  /** A tabulated function of the gap that multiplies the viscous conductivity. */
   class GapFactor
   {
   public:
     GapFactor() = default;
-    /** Of a @p function of the gap; 2¹⁴ times above and below @p reference the table
-     * ends, with a factor that is constant above and in inverse proportion to the gap
-     * below.
-     */
+    /** Tabulate @p function of the gap from 2⁻¹⁴ to 2¹⁴ times @p reference. Beyond the
+     *  table the factor is constant above and inversely proportional to the gap below. */
     GapFactor(double reference, const std::function<double(double)> &function);
 
-    /** At @p gap > 0. Between entries linear, which is wrong by less than 2·10⁻⁵. */
+    /** The factor at @p gap > 0, linear between entries, with an error below 2·10⁻⁵. */
     double
     operator()(const double gap) const
     {
@@ -37,14 +35,14 @@ namespace strait
     }
 
   private:
-    static constexpr int octaves            = 14; // on either side
+    static constexpr int octaves            = 14; // on either side of the reference
     static constexpr int entries_per_octave = 64;
 
-    double              first = 0.; // log2 of the smallest gap
+    double              first = 0.; // log2 of the smallest gap of the table
     std::vector<double> values;
   };
 
-  /** A part of a path: its gap and its ∫ ds/gap³. */
+  /** A part of a flow path: its gap and its ∫ ds/gap³. */
   struct PathPart
   {
     double gap;
@@ -52,12 +50,14 @@ namespace strait
   };
 
   /**
-   * A rarefied gas between two reservoirs, in gaps that resist like those of a path.
+   * Flow of a rarefied gas between two reservoirs, through gaps that resist like those
+   * along a given path.
    *
-   * Its equation ∇·(a ∇p) = 0 is not linear, but with Ψ(p) = ∫ m(ḡ, p) dp and the
-   * mobility m = a/K of RarefiedGas it is ∇·(K w ∇Ψ) = 0 with a weight w = m(g, p)/m(ḡ,
-   * p) that differs from one only where the gap differs from the reference ḡ and the flow
-   * is neither viscous nor molecular. The throughput is the conductance of K w times ΔΨ.
+   * Its equation ∇·(a ∇p) = 0 is nonlinear. With the mobility m = a/K of RarefiedGas, a
+   * reference gap ḡ and the potential Ψ(p) = ∫ m(ḡ, p) dp it becomes ∇·(K w ∇Ψ) = 0, with
+   * the weight w = m(g, p)/m(ḡ, p). The weight is one in viscous flow and where the gap
+   * is ḡ; in molecular flow with slip it is ḡ/g at any pressure. The throughput is the
+   * conductance of K w times ΔΨ.
    *
    * doc/gas_and_metals.md derives the bounds of the nonlinear problem, for which Ψ' is
    * chosen otherwise.
@@ -65,41 +65,44 @@ namespace strait
   class RarefiedFlow
   {
   public:
-    /** @p parts are in the order of their gaps. */
+    /** @p parts are sorted by gap. */
     RarefiedFlow(const FluidParameters &fluid, const std::vector<PathPart> &parts);
 
-    /** ΔΨ over the mean pressure of the reservoirs: times a conductance of K w it is the
-     *  volume, at that pressure, that leaks per time [pressure]. */
+    /** ΔΨ over the mean pressure of the reservoirs [pressure], negative if the pressure
+     *  rises towards the outlet. Times a conductance of K w it is the volume at that mean
+     *  pressure that leaks per time. */
     double
     drive() const
     {
-      return (falls ? total_drive : -total_drive) / mean_pressure;
+      return (pressure_falls ? total_drive : -total_drive) / mean_pressure;
     }
 
-    /** The pressure at a Ψ that is @p potential: 1 at the inlet, 0 at the outlet. */
+    /** The pressure at a @p potential, which is Ψ scaled to 1 at the inlet, 0 at the
+     *  outlet. */
     double pressure(double potential) const;
 
-    /** w at @p gap and @p p, over middle_weight(). */
+    /** The weight w at @p gap and pressure @p p, divided by middle_weight. */
     double
     relative_weight(const double gap, const double p) const
     {
       return weight(gap, p) / middle_weight(gap);
     }
 
-    /** w of a gap at the pressure half way between the reservoirs in Ψ. */
+    /** The weight w of a gap at the pressure half way between the reservoirs in Ψ. */
     GapFactor middle_weight;
 
-    /** min and max m/Ψ' of a gap at any pressure, each with its own Ψ', of the same ΔΨ.
-     */
+    /** Minimum and maximum of m/Ψ' of a gap over all pressures. Each has its own Ψ', but
+     *  the same ΔΨ. */
     GapFactor least_weight, largest_weight;
 
-    /** With slip, r of a gap over that of the reference gap. */
+    /** With slip: the mobility of a gap at p = 0 over that of the reference gap. */
     std::optional<GapFactor> molecular_weight;
 
-    /** The least that leaks of two gases side by side, as a volume at the mean pressure
-     *  of the reservoirs, if @p viscous and @p molecular are the conductances of K and of
-     *  K molecular_weight. */
-    double least_of_two(double viscous, double molecular) const;
+    /** The lower bound of the leak rate, as a volume at the mean pressure of the
+     *  reservoirs, that follows from a viscous and a molecular gas in the same gap;
+     *  @p viscous and @p molecular are the conductances of K and of K times
+     *  molecular_weight. */
+    double two_gas_lower_bound(double viscous, double molecular) const;
 
     /** The gas itself. */
     const RarefiedGas gas;
@@ -109,16 +112,17 @@ namespace strait
     GapFactor extreme_weight(const std::vector<PathPart> &parts, bool is_largest) const;
     double    weight(double gap, double p) const;
 
-    double              low, high; // pressures
+    double              low, high; // pressures of the reservoirs
     double              reference_gap;
     double              mean_pressure;      // of the reservoirs
     double              total_drive;        // ΔΨ [pressure²]
-    bool                falls;              // the pressure, from the inlet to the outlet
-    std::vector<double> pressures;          // from the lower one up
-    std::vector<double> potentials, slopes; // Ψ at the pressures, 0 to 1, and dp/dΨ
+    bool                pressure_falls;     // the pressure, towards the outlet
+    std::vector<double> pressures;          // nodes from low to high
+    std::vector<double> potentials, slopes; // Ψ, from 0 to 1, and dp/dΨ at the nodes
   };
 
-  /** That of @p fluid in a gap with this @p path, null for one that is not rarefied. */
+  /** The flow of @p fluid in a gap whose path of least resistance is @p path; null if the
+   *  fluid is not rarefied. */
   std::shared_ptr<const RarefiedFlow> make_rarefied_flow(const FluidParameters &fluid,
                                                          const FlowPath        &path);
 } // namespace strait

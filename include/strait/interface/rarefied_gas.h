@@ -5,45 +5,40 @@
 
 namespace strait
 {
-  /**
-   * What an ideal gas at one temperature carries between parallel walls, from viscous to
-   * molecular flow. Its throughput per width is −a ∇p [pressure length²/time], of which
-   * doc/gas_and_metals.md has the formulas; viscous flow has a = p g³/(12 η).
-   */
+  /** Flow of an ideal gas at uniform temperature between parallel walls, from viscous to
+   *  molecular. Its throughput per width is −a ∇p [pressure length²/time]; in viscous
+   *  flow a = p g³/(12 η), and doc/gas_and_metals.md has the other formulas. */
   class RarefiedGas
   {
   public:
-    /** @p fluid must know its thermal speed, unless the gas is viscous. */
+    /** @p fluid must have a thermal speed, unless the gas is viscous. */
     explicit RarefiedGas(const FluidParameters &fluid);
 
-    /**
-     * Q_P at @p delta > 0 [1] of a transitional gas: of the linearised BGK equation
-     * between walls that reflect diffusely, interpolated to 10⁻⁵ of a solution of its
-     * integral equation (tools/bgk_poiseuille.py), and its asymptotes beyond.
-     */
+    /** The coefficient Q_P [1] of a transitional gas at @p delta = p g/(η v0) > 0, from
+     *  the linearised BGK equation between walls that reflect diffusely: interpolated to
+     *  10⁻⁵ in a table of solutions of its integral equation (tools/bgk_poiseuille.py),
+     *  and asymptotic beyond. */
     static double poiseuille_coefficient(double delta);
 
-    /**
-     * a over the viscous conductivity g³/(12 η) [pressure]: p of a viscous gas, p + r/g
-     * with slip. Where a transitional gas is so thin that molecules fly a million times
-     * the gap it is taken to be no thinner; without an end it would grow with the
-     * logarithm of that. Half and double of it change a leak against vacuum by less than
-     * 10⁻⁶ of itself.
-     */
+    /** The coefficient a over the viscous conductivity g³/(12 η) [pressure]: p for a
+     *  viscous gas, p + r/g with slip. The mobility of a transitional gas grows without
+     *  limit, like −ln p, as p falls to zero; it is therefore cut off where δ is the
+     *  smallest normalised double. */
     double mobility(double gap, double p) const;
 
     /** The mean of the mobility at pressures from @p low to @p high [pressure]. */
     double mean_mobility(double gap, double low, double high) const;
 
-    /** ∫ mobility dp from @p low to @p high [pressure²]: the throughput between plates,
-     *  per length and viscous conductivity. */
+    /** ∫ mobility dp from @p low to @p high [pressure²]. Times the viscous conductivity
+     *  and over the length it is the throughput per width between plates. */
     double
     drive(const double gap, const double low, const double high) const
     {
       return (high - low) * mean_mobility(gap, low, high);
     }
 
-    /** Mean free path over @p gap at @p p, λ = (√π/2) η v0/p [1]. */
+    /** The Knudsen number [1]: the mean free path λ = (√π/2) η v0/p at pressure @p p over
+     *  @p gap. */
     double knudsen_number(double gap, double p) const;
 
   private:

@@ -8,27 +8,27 @@
 
 namespace strait
 {
-  /** The narrowest point of the widest way from inlet to outlet. */
+  /** The narrowest point of the widest path from inlet to outlet. */
   struct Bottleneck
   {
     GridPoint point;
-    double    value = 0.;
-    int       reach = 0; // steps to the nearest point whose value has the other sign
+    double    value = 0.; // of the openness there
+    int       reach = 0;  // steps to the nearest point of the opposite sign; 0: none
   };
 
   /**
-   * The largest value v such that the points with @p openness >= v connect inlet and
-   * outlet, over the four nearest neighbours as in find_clusters(), and the point
-   * where a way that realises it is narrowest.
+   * Find the largest value v for which the points with @p openness >= v connect inlet and
+   * outlet over the four nearest neighbours, as in find_clusters(), and the narrowest
+   * point of a path that attains it.
    *
-   * With openness = gap the value is the gap of the critical constriction; where
-   * closed points carry a negative number that tells how firmly they are closed,
-   * its sign is the verdict on percolation, and both sides of the threshold say how
-   * far it is. It needs 17 B a grid point (LatticeSearch); the result is the same on all
-   * ranks. Collective.
+   * If the openness is the gap, v is the gap of the critical constriction. If closed
+   * points carry a negative number that tells how firmly they are closed, the sign of v
+   * tells whether the gap percolates, and its magnitude how far it is from the threshold.
+   * Takes 17 B per grid point (LatticeSearch); the result is the same on all ranks.
+   * Throws InputError if the grid has no path at all through a region. Collective.
    */
   Bottleneck find_bottleneck(const SlabField &openness, const FlowDomain &domain);
 
-  /** Where @p point of a field on @p layout lies, in the box [length]. */
+  /** The position of @p point of a field on @p layout, within the box [length]. */
   std::array<double, 2> position_of(const SlabLayout &layout, const GridPoint &point);
 } // namespace strait

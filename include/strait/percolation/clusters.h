@@ -10,9 +10,9 @@
 namespace strait
 {
   /**
-   * The gap that the fluid sees, g − 2|d0| [length]: what is left of @p gap between
-   * immobile layers of fluid on both walls, each −@p slip_length thick; a positive slip
-   * length widens it. The fluid can enter where it is positive.
+   * The gap that the fluid sees [length]: what is left of @p gap between immobile layers
+   * of fluid on both walls, each −@p slip_length thick; a positive slip length widens it.
+   * The fluid can enter where it is positive.
    */
   inline double
   open_gap(const double gap, const double slip_length)
@@ -20,10 +20,10 @@ namespace strait
     return gap + 2. * slip_length;
   }
 
-  /** The same of a whole field. */
+  /** The open gap of a whole field. */
   SlabField open_gap(SlabField gap, double slip_length);
 
-  /** What a grid point is to the fluid. */
+  /** The state of a grid point as the fluid sees it. */
   enum class NodeState : std::uint8_t
   {
     closed,      // no gap that the fluid can enter
@@ -31,36 +31,36 @@ namespace strait
     inlet_side,  // open, joined to the inlet only
     outlet_side, // open, joined to the outlet only
     percolating, // open, joined to both
-    outside      // of the region in which the fluid flows
+    outside      // not in the region in which the fluid flows
   };
 
   /** The clusters of open grid points, and whether one of them leaks. */
   struct Clusters
   {
     std::vector<NodeState> states; // one per value of a field
-    std::vector<GridPoint> leaks;  // percolating points at the outlet, on all ranks
+    std::vector<GridPoint> leaks;  // percolating points at the outlet, of all ranks
     bool                   percolates = false;
 
-    /** If asked for, one per value as well: which cluster it belongs to where fluid is
-     *  trapped, by the number of its first point, so that it does not depend on the
-     *  number of ranks; −1 elsewhere. */
+    /** If asked for, one per value as well: the cluster of trapped fluid, named by the
+     *  number of its first point, which does not depend on the number of ranks; −1 where
+     *  no fluid is trapped. */
     std::vector<std::int64_t> trapped;
   };
 
   /**
-   * Label the points where @p open_gap > 0. Neighbours are the four nearest
+   * Find the clusters of points where @p open_gap > 0. Neighbours are the four nearest
    * points; the grid is periodic across the flow. Along the flow, the points at
    * coordinate 0 touch the inlet, and a point of the last line touches the outlet
-   * if the point behind it, across the periodic seam, is open as well. In a region
-   * neighbours, inlet and outlet are those of FlowRegion; all is done on rank 0.
+   * if the point behind it, across the periodic seam, is open as well. In a region,
+   * neighbours, inlet and outlet are those of FlowRegion, and rank 0 does all the work.
    *
-   * Where the layout has windows, neighbours are points of one level, and coinciding
-   * points are one and the same. Points that the same window covers are joined by the
-   * window's finer points alone. The outermost points of a window join nothing, and are
-   * of the cluster of the point inside of them.
+   * If the layout has windows, neighbours are points of one level, and coinciding points
+   * count as one. Points that the same window covers are joined through the window's
+   * finer points alone. The outermost points of a window join nothing, and take the
+   * cluster of the point next to them inside.
    *
-   * This function is the one place that decides what is open. Those of trapped fluid are
-   * told apart if @p tells_trapped, which needs a box. Collective.
+   * Only this function decides what is open. Clusters of trapped fluid are told apart if
+   * @p tells_trapped, which only the whole box supports. Collective.
    */
   Clusters find_clusters(const SlabField  &open_gap,
                          const FlowDomain &domain,

@@ -13,17 +13,17 @@
 namespace strait
 {
   /**
-   * Values at grid points as a search along the flow meets them: the seam is closed and
-   * the outlet's copy of it appended, while across the flow the grid is periodic.
+   * Values at grid points as a search along the flow sees them: the seam is cut, and the
+   * outlet's copy of it appended; across the flow the grid is periodic. Neighbours are
+   * those of find_clusters().
    *
-   * Rank 0 owns the points of windows. A point that a window covers is the coinciding
-   * point of that: its own number carries the same value, but steps never lead there. The
-   * neighbours are those of find_clusters().
+   * Rank 0 owns the points of windows. A point that a window covers is represented by the
+   * window's coinciding point: its own number has the same value, but no step goes there.
    */
   class FlowLattice
   {
   public:
-    /** The values of @p field, with its windows. Collective. */
+    /** Take the values of @p field, including its windows. Collective. */
     FlowLattice(const SlabField &field, const FlowDomain &domain);
 
     const SlabLayoutPtr layout;
@@ -43,14 +43,14 @@ namespace strait
       return values[k];
     }
 
-    /** Whether point @p k is one of a window. */
+    /** Whether point @p k belongs to a window. */
     bool
     in_window(const std::size_t k) const
     {
       return k >= levels.n_on_grid;
     }
 
-    /** Whether point @p k is this rank's: neither a ghost nor a point of another's. */
+    /** Whether this rank owns point @p k: neither a ghost nor a point of another rank. */
     bool
     is_own(const std::size_t k) const
     {
@@ -61,7 +61,7 @@ namespace strait
     /** Whether the fluid leaves at point @p k. */
     bool is_outlet(std::size_t k) const;
 
-    /** Whether point @p k is the outlet's copy of one on the seam. */
+    /** Whether point @p k is the outlet's copy of a point on the seam. */
     bool
     is_copy(const std::size_t k) const
     {
@@ -71,24 +71,24 @@ namespace strait
     /** This rank's own points at the inlet, or at the outlet. */
     std::vector<std::size_t> points_at(OutlineKind kind) const;
 
-    /** From a point to one of the eight around it on the same level. */
+    /** A step from a point to one of its eight neighbours on the same level. */
     struct Step
     {
       std::size_t from, to;         // its ends on that level
-      std::size_t point;            // where it leads: `to`, or the point of a window
-      std::size_t corner, corner_2; // of a diagonal step, if one can go around it there
-      double      length;           // of the way
+      std::size_t point;            // where it leads: `to`, or the window's point there
+      std::size_t corner, corner_2; // beside a diagonal step; none if no way leads there
+      double      length;           // distance from `from` to `to`
 
-      std::uint8_t number; // tells, with `point`, where it began: start_of()
+      std::uint8_t number; // with `point`, tells where the step began: start_of()
     };
 
     static constexpr std::size_t none = LatticeLevels::none;
 
     /**
-     * Call action(step) for the steps from point @p k to those of the first
-     * @p n_directions of the two next, the two former and the four diagonal points that
-     * this rank knows. A diagonal one leads to no other level and, of a region, needs a
-     * way around a corner.
+     * Call action(step) for the steps from point @p k in the first @p n_directions of
+     * these: to the next points along and across the flow, to the previous ones, and to
+     * the four diagonal ones, as far as this rank knows them. A diagonal step leads to no
+     * other level and, in a region, needs a way around a corner.
      */
     template <class Action>
     void
@@ -96,13 +96,14 @@ namespace strait
     {
       const Place p = place_of(k);
       visit_steps(p, k, n_directions, action);
+      // From the rim of a window, the parent's coinciding point leads on outside.
       if (p.level > 0 && levels.is_on_rim(p))
         for_each_copy(levels.parent_of(p), [&](const std::size_t on_parent) {
           visit_steps(place_of(on_parent), on_parent, 4, action);
         });
     }
 
-    /** What point @p k is called on all ranks. */
+    /** The number of point @p k that is the same on all ranks. */
     std::size_t
     global_number(const std::size_t k) const
     {
@@ -112,12 +113,11 @@ namespace strait
     /** The inverse of global_number(); none if this rank does not own the point. */
     std::size_t own_number(std::size_t global) const;
 
-    /** The global number of the point where the step @p number began that led to point
-     *  @p k. */
+    /** The global number of the point from which the step @p number led to point @p k. */
     std::size_t start_of(std::size_t k, std::uint8_t number) const;
 
-    /** Call action(k, value) for all ghosts, with what their owners have of @p values at
-     *  each point. Collective. */
+    /** Call action(k, value) for each ghost k, with the value that its owner has for that
+     *  point in @p values, one per point. Collective. */
     template <class Number, class Action>
     void
     for_each_ghost(const std::vector<Number> &values, const Action &action) const
@@ -133,15 +133,15 @@ namespace strait
         action(levels.number_of(ghosts[i / levels.length], i % levels.length), theirs[i]);
     }
 
-    /** The point of the grid or a window that is point @p k of the lattice. */
+    /** Point @p k of the lattice as a point of the grid or of a window. */
     GridPoint
     point(const std::size_t k) const
     {
       return levels.point(place_of(k));
     }
 
-    /** The point that is @p p of the grid or a window, on the seam that at the inlet;
-     *  none if this rank does not know it. */
+    /** The number of point @p p of the grid or a window: on the seam, that at the inlet;
+     *  on several levels, that on the finest; none if this rank does not know it. */
     std::size_t number_at(const GridPoint &p) const;
 
   private:
@@ -151,7 +151,7 @@ namespace strait
     static constexpr std::array<std::array<int, 2>, 8> directions = {
       {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
 
-    // Added to the number of a step whose end is named by a point of a finer level.
+    // Added to the number of a step that leads to the window's point instead of `to`.
     static constexpr std::uint8_t into_window = 8;
 
     Place
@@ -170,18 +170,17 @@ namespace strait
       return {level, static_cast<int>(i % n), static_cast<int>(i / n)};
     }
 
-    /** The values of @p field at the points of the grid; zero at what does not belong to
-     *  the region. Collective. */
+    /** The values of @p field at the points of the grid; zero at those that do not belong
+     *  to the region. Collective. */
     std::vector<double> values_on_grid(const SlabField &field) const;
 
     std::size_t global_number(const Place &p) const;
 
-    /** Number of point @p p; none if it is one of the grid that this rank does not know.
-     */
+    /** The number of point @p p; none if this rank does not know it. */
     std::size_t number_of(const Place &p) const;
 
-    /** Call visit(k) for all numbers by which this rank knows point @p p, as of the grid
-     * its own line may be a ghost as well. */
+    /** Call visit(k) for all numbers of point @p p on this rank: one of its own lines may
+     *  be a ghost as well. */
     template <class Visit>
     void
     for_each_copy(const Place &p, const Visit &visit) const
@@ -213,7 +212,7 @@ namespace strait
                      int           n_directions,
                      const Action &action) const;
 
-    std::shared_ptr<const FlowRegion> region; // null: the box
+    std::shared_ptr<const FlowRegion> region; // null: the whole box
     std::vector<double>               values;
     std::vector<bool>                 is_covered; // empty without windows
   };
@@ -228,7 +227,7 @@ namespace strait
     const Level &level          = levels[p.level];
     const int    rim            = level.rim();
     const bool   from_is_finest = is_covered.empty() || !is_covered[from];
-    // Across the flow the lines wrap around by their ghosts, points of a line here.
+    // Across the flow, lines wrap around through their ghosts, points of a line here.
     const bool wraps       = p.level == 0 && !levels.along_x;
     const int  first       = p.level > 0 ? rim : levels.first;
     const int  end         = p.level > 0 ? level.n_across - rim : levels.end;
@@ -261,7 +260,7 @@ namespace strait
           }
         const std::size_t to    = from + along + across;
         const std::size_t point = finest(to);
-        // Between two points that a window covers its own, finer steps lead.
+        // Two points that a window covers are joined by its own, finer steps.
         if (point != to && (d >= 4 || !from_is_finest))
           continue;
         const int kind   = d < 4 ? d % 2 : 2;

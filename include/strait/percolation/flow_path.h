@@ -10,13 +10,13 @@
 
 namespace strait
 {
-  /** A way for the fluid from the inlet to the outlet. */
+  /** A path of the fluid from inlet to outlet. */
   struct FlowPath
   {
     std::vector<GridPoint> points;
     std::vector<double>    gaps;        // at the points
     std::vector<double>    resistances; // ∫ ds / gap³ from the inlet to the points
-    GridPoint              bottleneck;  // where the gap is smallest
+    GridPoint              bottleneck;  // the last point where the gap is smallest
     double                 bottleneck_gap = 0.; // there
 
     /** ∫ ds / gap³ along the whole path. */
@@ -26,13 +26,13 @@ namespace strait
       return resistances.back();
     }
 
-    /** The part of the resistance, 0 to 1, before the throat: before the middle of the
-     *  steps that meet at the bottleneck, and so never at the outlet, where there may be
-     *  a vacuum. */
+    /** The share of the resistance, 0 to 1, before the throat: the mean over the points
+     *  before and after the bottleneck. It is thus less than 1 even at the outlet, where
+     *  there may be a vacuum. */
     double
     part_before_throat() const
     {
-      // Of points of the same gap the last one, as the bottleneck is.
+      // The last one of points with the same gap, as for the bottleneck.
       const auto        narrowest = std::min_element(gaps.rbegin(), gaps.rend());
       const std::size_t throat    = std::distance(narrowest, gaps.rend()) - 1;
       return .5 *
@@ -43,16 +43,16 @@ namespace strait
   };
 
   /**
-   * Paths from inlet to outlet in the order of their resistance ∫ ds/gap³, at most
-   * @p n_paths. Each further path avoids the throats of those before it (the
-   * points that offer more than 5 % of the largest resistance per length, and those
-   * around them to the nearest contact, at least two grid spacings); none resists more
-   * than 500 times as much as the first.
+   * Find at most @p n_paths paths from inlet to outlet, in the order of their resistance
+   * ∫ ds/gap³. Each further path avoids the throats of those before it: the points with
+   * more than 5 % of the largest resistance per length, and those around them as far as
+   * the nearest contact, but at least 3 and at most 32 grid spacings. No path has more
+   * than 500 times the resistance of the first.
    *
-   * Dijkstra's algorithm over the eight neighbours; a diagonal step is paid for at
-   * the mean resistivity of its ends or that of its middle, whichever is larger. @p gap
-   * is positive where the fluid percolates (percolating_gap()). It needs 17 B a grid
-   * point (LatticeSearch); the result is the same on all ranks. Collective.
+   * Dijkstra's algorithm over the eight neighbours; the resistivity of a diagonal step is
+   * the mean at its ends or that of its middle, whichever is larger. @p gap is positive
+   * where the fluid percolates (percolating_gap()). Takes 17 B per grid point for one
+   * path (LatticeSearch), 35 B for more; the result is the same on all ranks. Collective.
    */
   std::vector<FlowPath>
   find_flow_paths(const SlabField &gap, const FlowDomain &domain, unsigned int n_paths);

@@ -15,15 +15,15 @@
 namespace strait
 {
   /**
-   * How far off a point may be of the line or circle that it is taken to lie on: of the
-   * grid's spacing, or of the length or radius, as files give six digits or more. Half of
-   * it no longer finds circles that are written with six, double of it rounds outlines
-   * off that are polygons.
+   * How far a point may be from the line or circle on which it is taken to lie, relative
+   * to the grid spacing, or to the length or radius: files give six digits or more. Half
+   * of it no longer finds circles that are written with six digits; double of it rounds
+   * off outlines that are polygons.
    */
   constexpr double precision_of_meshes = 1e-6;
 
-  /** What the fluid meets at the outline of a region, in the order of the boundary ids of
-   *  a mesh. */
+  /** The kinds of boundary at the outline of a region, in the order of the boundary ids
+   *  of a mesh. */
   enum class OutlineKind : std::uint8_t
   {
     inlet,
@@ -45,26 +45,25 @@ namespace strait
    * periodic seam, which the fluid does not cross. Point (ix, iy) has the number
    * iy·(nx + 1) + ix.
    *
-   * Points on the outline lie inside. Two neighbours are joined if both lie inside and
-   * so does the middle between them. The fluid enters at the points on the inlet, and
-   * at points outside from which a step to a neighbour inside crosses the inlet: such
-   * a point belongs to the lattice, joined to that neighbour alone. Likewise for the
-   * outlet.
+   * Points on the outline count as inside. Two neighbours are joined if both of them and
+   * the midpoint between them lie inside. The fluid enters at the points on the inlet,
+   * and at points outside from which a step to a neighbour inside crosses the inlet: they
+   * belong to the lattice, joined to such neighbours alone. Likewise for the outlet.
    */
   class FlowRegion
   {
   public:
     /**
-     * The region that the closed curves of @p outline enclose, which lie in the box.
-     * Rank 0 of @p comm alone holds its points: for a moment 4 B a grid point, 1 B then.
-     * Throws InputError if the grid is too coarse to tell inlet and outlet apart.
-     * Collective.
+     * Make the region that the closed curves of @p outline, within the box, enclose. Only
+     * rank 0 of @p comm holds its points: 1 B per grid point, and 4 B more while it is
+     * made. Throws InputError if the grid is too coarse: if a point is at both inlet and
+     * outlet, or none is at one of them. Collective.
      */
     FlowRegion(const PeriodicGrid             &grid,
                const std::vector<OutlineEdge> &outline,
                MPI_Comm                        comm = MPI_COMM_SELF);
 
-    /** Number of points, those outside included. */
+    /** Number of lattice points, including those outside; 0 on ranks other than 0. */
     std::size_t
     size() const
     {
@@ -85,14 +84,14 @@ namespace strait
       return (flags[k] & at_inlet) != 0;
     }
 
-    /** Whether it leaves there. */
+    /** Whether the fluid leaves at point @p k. */
     bool
     is_outlet(const std::size_t k) const
     {
       return (flags[k] & at_outlet) != 0;
     }
 
-    /** Whether the fluid may pass the point at all. */
+    /** Whether the fluid can pass point @p k: it is inside, or at inlet or outlet. */
     bool
     is_point(const std::size_t k) const
     {
@@ -103,7 +102,7 @@ namespace strait
      *  ±1 and the other 0. */
     bool is_joined(std::size_t k, int dx, int dy) const;
 
-    /** Number of different grid points inside, known on all ranks. */
+    /** Number of grid points inside, without copies; the same on all ranks. */
     long long
     n_inside() const
     {

@@ -12,15 +12,15 @@
 namespace strait
 {
   /**
-   * The points of the grid and its windows as this rank numbers them, turned so that the
-   * flow runs along, from the inlet to the outlet's copy of the seam. A window that
-   * crosses the seam is two levels, whose points all ranks know.
+   * The points of the grid and its windows as this rank numbers them. Their coordinates
+   * are turned: "along" runs with the flow, from the inlet to the outlet's copy of the
+   * seam, and "across" normal to it. All ranks know the points of windows; a window that
+   * crosses the seam makes two levels.
    *
-   * Of the grid a rank owns the lines of constant y that are its rows, with the outlet's
-   * copy of the seam, and knows the line before and the one after them, its ghosts.
-   * Across a flow along x lines follow each other periodically; a ghost may then be the
-   * rank's own line as well. Of a region rank 0 owns all lines, which are those of
-   * FlowRegion.
+   * A line is a row of the grid, of constant y. A rank owns its rows, with the outlet's
+   * copy of the seam, and knows the lines before and after them, its ghosts. If the flow
+   * is along x, lines repeat periodically, and a ghost may be a line of the rank's own as
+   * well. In a region rank 0 owns all lines, which are those of FlowRegion.
    */
   class LatticeLevels
   {
@@ -31,22 +31,22 @@ namespace strait
       int                   n_along;
       int                   n_across;
       std::array<double, 3> lengths;             // of steps along, across and diagonally
-      std::ptrdiff_t        along_by, across_by; // steps in the numbers of its points
+      std::ptrdiff_t        along_by, across_by; // change of a point's number per step
 
       std::size_t begin  = 0;  // number of its first point
-      int         parent = -1; // its level, and the first of its points that the window
-      int         along  = 0;  // covers
+      int         parent = -1; // level of the parent
+      int         along  = 0;  // place of the first of the parent's points that it covers
       int         across = 0;
 
-      // Of a window across the seam there are two parts: that on the side of the outlet,
-      // which ends with the outlet's copy of the seam, and that which begins with it. The
-      // grid does both, other windows neither.
+      // A window across the seam has two parts: one ends at the outlet, with the copy of
+      // the seam, the other begins at the inlet, with the seam. The grid does both, other
+      // windows neither.
       int  window          = -1;
-      int  first           = 0; // its first column, along the flow, in the window
+      int  first           = 0; // column of the window, along the flow, where it begins
       bool begins_at_inlet = true;
       bool ends_at_outlet  = true;
 
-      /** How many points to each side are there for interpolation only. */
+      /** Number of outermost points on each side that serve interpolation only. */
       int
       rim() const
       {
@@ -54,7 +54,7 @@ namespace strait
       }
     };
 
-    /** A point by its level, column along the flow and row across it. */
+    /** A point, by its level, its column along the flow and its row across it. */
     struct Place
     {
       int level;
@@ -64,18 +64,18 @@ namespace strait
 
     LatticeLevels(const SlabLayout &layout, const FlowDomain &domain);
 
-    const bool along_x;     // the flow
-    const bool is_periodic; // across it
+    const bool along_x;     // whether the flow is along x
+    const bool is_periodic; // across the flow
 
-    // Of the grid: number of points of a line, the first line that this rank knows, −1
-    // for that before line 0, and the one after the last; number of points on these,
-    // which come before those of windows, the first of them that is on a line of this
-    // rank's own, and the one after the last such.
+    // On the grid: number of points of a line; the lines that this rank knows,
+    // first <= line < end, where −1 is the one before line 0; number of points on these,
+    // which come before those of windows; of them, the points on lines that this rank
+    // owns, first_own <= k < end_own.
     int         length;
     int         first = 0, end = 0;
     std::size_t n_on_grid = 0, first_own = 0, end_own = 0;
 
-    /** The grid, then the windows, each after its parent. */
+    /** Level 0 is the grid; the windows follow, each after its parent. */
     const Level &
     operator[](const int level) const
     {
@@ -88,7 +88,7 @@ namespace strait
       return static_cast<int>(levels.size());
     }
 
-    /** Number of all points that this rank knows. */
+    /** Number of points that this rank knows, on all levels. */
     std::size_t
     n_points() const
     {
@@ -98,7 +98,7 @@ namespace strait
                : last.begin + static_cast<std::size_t>(last.n_along) * last.n_across;
     }
 
-    /** Number of no point. */
+    /** The number that stands for no point. */
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
     /** The number of point @p i of line @p line; none if this rank does not know it. */
@@ -110,9 +110,9 @@ namespace strait
                : static_cast<std::size_t>(line - first) * length + i;
     }
 
-    /** Which of this rank's lines point @p k of the grid is on. Half a point keeps the
-     *  product away from whole numbers: a division takes longer than a step of a search.
-     */
+    /** The line of point @p k of the grid, counted from the first that this rank knows. A
+     *  division would take longer than a step of a search; half a point keeps the product
+     *  that replaces it away from whole numbers. */
     std::size_t
     line_of(const std::size_t k) const
     {
@@ -131,7 +131,7 @@ namespace strait
       return level;
     }
 
-    /** A point of the grid across the flow, within the period. */
+    /** The row @p across the flow of the grid, moved into the period if there is one. */
     int
     wrapped(const int across) const
     {
@@ -139,28 +139,28 @@ namespace strait
       return !is_periodic ? across : ((across % n) + n) % n;
     }
 
-    /** The point of the finest level that point @p p is. */
+    /** The place of point @p p on the finest level that has this point. */
     Place finest(const Place &p) const;
 
-    /** Whether a point of a window is one of its parent's points, and on the rim of what
-     *  the window covers of those. */
+    /** Whether point @p p of a window coincides with a point of the parent that is on the
+     *  rim of those that the window covers. */
     bool is_on_rim(const Place &p) const;
 
-    /** The point of the parent that stands for a point of a window. */
+    /** The parent's point in whose cell point @p p of a window lies. */
     Place parent_of(const Place &p) const;
 
-    /** The place of point @p p, on the seam that at the inlet. */
+    /** The place of point @p p; on the seam, that at the inlet. */
     Place place(const GridPoint &p) const;
 
-    /** The point of the grid or of a window at a place. */
+    /** The point of the grid or of a window at place @p p. */
     GridPoint point(const Place &p) const;
 
   private:
     void find_lines(const SlabLayout &layout);
     void add_window(const SlabLayout &layout, int w);
 
-    /** The level with column @p along of a window, −1 for the grid; of a column on the
-     *  seam the copy at the outlet if @p of_outlet, else that at the inlet. */
+    /** The level that has column @p along of a window (−1: the grid). For a column on the
+     *  seam, it is the one at the outlet if @p of_outlet, else the one at the inlet. */
     int level_with(int window, int along, bool of_outlet) const;
 
     double             lines_per_point;

@@ -13,26 +13,26 @@
 namespace strait
 {
   /**
-   * The least costs of ways over a lattice, from given points to the nearest end, where
-   * the cost of a way does not decrease from step to step.
+   * Computes the least costs of paths on a lattice, from given points to the nearest end.
+   * The cost of a path must not decrease from step to step.
    *
-   * It is Dijkstra's algorithm block by block: blocks of points that fit a processor's
-   * cache are searched one at a time, first the one with the least cost to begin with,
-   * and what a better way reaches later is searched again. Ranks search their own points
-   * at the same time, and tell each other what they found when they have no block left.
-   * The costs are those of Dijkstra's algorithm, to the last digit, on any number of
-   * ranks.
+   * This is Dijkstra's algorithm block by block. Blocks of points that fit a processor's
+   * cache are searched one at a time, that with the least pending cost first; points that
+   * a cheaper path reaches later are searched again. Ranks search their own points at the
+   * same time, and exchange what they found from time to time. The costs are those of
+   * Dijkstra's algorithm, to the last digit, on any number of ranks.
    */
   class LatticeSearch
   {
   public:
-    /** Of ways with the first @p n_directions of a point's steps. */
+    /** Search along the first @p n_directions steps of each point: 4 without diagonals, 8
+     *  with them. @p lattice must outlive this object. */
     LatticeSearch(const FlowLattice &lattice, int n_directions);
 
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    /** The least cost of a way, infinite if there is none, and the global number of the
-     * end that it leads to. */
+    /** The end of the cheapest path: its cost, infinite if there is none, and its global
+     *  number. */
     struct End
     {
       double      cost  = infinity;
@@ -40,9 +40,9 @@ namespace strait
     };
 
     /**
-     * Search from this rank's @p starts, where ways cost start(k), to the points where
-     * is_end(k), but no ways of more than @p most; a way costs total(cost where the last
-     * step begins, that step). Collective.
+     * Search from this rank's @p starts, where a path costs start(k), to the points where
+     * is_end(k), along paths that cost no more than @p most. A step takes a path from
+     * cost c to total(c, step). @return the end, the same on all ranks. Collective.
      */
     template <class Start, class Total, class IsEnd>
     End run(const std::vector<std::size_t> &starts,
@@ -51,7 +51,7 @@ namespace strait
             const IsEnd                    &is_end,
             double                          most = infinity);
 
-    /** The least cost to point @p k, if it is less than that of the end. */
+    /** The least cost to point @p k, if it is no more than that of the end. */
     double
     cost(const std::size_t k) const
     {
@@ -60,7 +60,7 @@ namespace strait
 
     static constexpr std::uint8_t start_of_way = 255;
 
-    /** The number of the last step of the way to this rank's point @p k. */
+    /** The number of the last step to this rank's point @p k; start_of_way at a start. */
     std::uint8_t
     last_step(const std::size_t k) const
     {
@@ -70,7 +70,7 @@ namespace strait
   private:
     using Entry = std::pair<double, std::size_t>; // cost, and point or block
 
-    /** Whether the cost of @p a is more; which of equals is the first does not matter. */
+    /** Whether @p a costs more than @p b; the order of equals does not matter. */
     struct CostsMore
     {
       bool
@@ -80,36 +80,36 @@ namespace strait
       }
     };
 
-    /** A better way was found to point @p k, whose steps are to be searched. */
-    void improve(std::size_t k, double cost, std::uint8_t step);
+    /** Note a cheaper path to point @p k, and schedule the steps from there. */
+    void relax(std::size_t k, double cost, std::uint8_t step);
 
-    /** The block that point @p k is in: a square of points, or a window. */
+    /** The block of point @p k: a square of grid points, or the level of a window. */
     std::size_t block_of(std::size_t k) const;
 
-    /** Search what is pending in block @p b. */
+    /** Search from the pending points of block @p b. */
     template <class Total, class IsEnd>
     void search_block(std::size_t b, const Total &total, const IsEnd &is_end);
 
-    /** Take over what other ranks found. @return whether some rank has blocks to search
-     *  then. Collective. */
+    /** Take over what other ranks found. @return whether any rank then has blocks to
+     *  search. Collective. */
     bool exchange();
 
     const FlowLattice        &lattice;
     int                       n_directions;
     std::vector<double>       costs;
     std::vector<std::uint8_t> last_steps;
-    double                    limit = 0.; // of costs that count
+    double                    limit = 0.; // largest cost that still counts
     End                       best;
     std::vector<std::size_t>  found_in_windows; // since the last exchange
 
-    // Points to be searched by block, the least cost of those of each, and the blocks
-    // that have some, of which entries with other costs are outdated.
+    // By block, the points to search from and the least cost among them; and the blocks
+    // that have such points, where an entry with another cost is outdated.
     std::vector<std::vector<Entry>>                           pending;
     std::vector<double>                                       least_pending;
     std::priority_queue<Entry, std::vector<Entry>, CostsMore> blocks;
 
     std::size_t        block_at_work = FlowLattice::none;
-    std::vector<Entry> heap; // of its points
+    std::vector<Entry> heap; // its pending points
   };
 
   template <class Total, class IsEnd>
@@ -140,13 +140,13 @@ namespace strait
             continue;
           }
         lattice.for_each_step(k, n_directions, [&](const FlowLattice::Step &step) {
-          // Ghosts are their owner's affair; windows are, but for the way into them.
+          // Other ranks' points are left to them, except for steps into a window.
           if (costs[step.point] <= here ||
               (!lattice.is_own(step.point) && !(own && lattice.in_window(step.point))))
             return;
           const double there = total(here, step);
           if (there < costs[step.point] && there <= limit)
-            improve(step.point, there, step.number);
+            relax(step.point, there, step.number);
         });
       }
     block_at_work = FlowLattice::none;
@@ -160,11 +160,11 @@ namespace strait
                      const IsEnd                    &is_end,
                      const double                    most)
   {
-    // Ranks tell each other what they found whenever they have searched so many of their
-    // blocks: one that waits for another to be done searches nothing meanwhile, and what
-    // it does without the other's ways it does again. On two ranks 2048² points take 0.74
-    // of the time that they take told at the end only; a quarter or four times as many
-    // parts take 0.8.
+    // Ranks exchange what they found each time they have searched such a part of their
+    // blocks: a rank that waits for another to finish searches nothing meanwhile, and
+    // must repeat what it searched without the other's paths. On two ranks, 2048² points
+    // take 0.74 of the time that they take with exchanges only when no block is left; a
+    // quarter or four times as many parts take 0.8.
     constexpr std::size_t parts       = 64;
     const std::size_t     most_blocks = pending.size() / parts + 1;
     costs.assign(lattice.size(), infinity);
@@ -173,7 +173,7 @@ namespace strait
     best  = {};
     for (const std::size_t k : starts)
       if (start(k) < costs[k])
-        improve(k, start(k), start_of_way);
+        relax(k, start(k), start_of_way);
     do
       for (std::size_t n = 0; n < most_blocks && !blocks.empty();)
         {

@@ -6,34 +6,35 @@
 
 #include <mpi.h>
 
-/** What is looked at before any work is done. */
+/** Checks that are made before any work is done. */
 namespace strait
 {
-  /** Bytes that the grid of a scene takes on all ranks together, without the mesh of the
-   *  flow. */
+  /** Estimate the memory [bytes] that the grid of a scene takes on all ranks together,
+   *  without the mesh of the flow. */
   double memory_of_grid(const Scene &scene);
 
-  /** Memory that processes of this machine can still get [bytes]: what the system and the
-   *  limits of this process and its container leave; infinite where that is unknown. */
+  /** The memory available on this machine [bytes]: the least of what the system can give
+   *  and the limits of this process and its container; infinite if none is known. */
   double free_memory();
 
-  /** The most bytes that the processes of all ranks have had in RAM so far, with the
-   *  program and its libraries. Collective. */
-  double most_memory(MPI_Comm comm);
+  /** The sum over all ranks of the largest memory [bytes] that each process has had in
+   *  RAM so far, program and libraries included. Collective. */
+  double peak_memory(MPI_Comm comm);
 
-  /** Throws InputError on all ranks if the grid of @p scene, or @p n_grids of them that
-   *  are shared out evenly, do not fit into the memory that is free on one of the
-   * machines that share them. Collective. */
+  /** Throws InputError on all ranks if @p n_grids grids of @p scene, distributed evenly
+   *  over the ranks, do not fit into the memory that is free on each machine.
+   *  Collective. */
   void require_memory(const Scene &scene, MPI_Comm comm, int n_grids = 1);
 
-  /** Throws InputError if no result under a load would have a meaning, in stated units:
-   *  no solid bears it, or @p fluid would lift the walls off. */
+  /** Throws InputError if results under @p load would be meaningless because no solid
+   *  bears it, or @p fluid would lift the walls off. Only for scenes in stated units. */
   void require_bearable(const Scene &scene, double load, const FluidParameters &fluid);
 
-  /** Warn of numbers of a scene in stated units that are off by powers of ten from what
-   *  seals are made of. Throws InputError as require_bearable() does. */
+  /** Warn of numbers of a scene in stated units that are powers of ten away from those of
+   *  any seal. Throws InputError as require_bearable() does for each load. */
   void check_numbers(const Scene &scene, Log &log);
 
-  /** The same of the rms slope of the surface. */
+  /** Warn of an rms slope above 1 if the modulus is in physical units. Throws InputError
+   *  instead for one above 10 if the unit of length is stated as well. */
   void check_slope(const Scene &scene, double rms_slope, Log &log);
 } // namespace strait

@@ -24,21 +24,22 @@ namespace strait
   {
     double target; // nominal pressure or mean gap
     double slip_length;
-    bool   is_reduced  = false; // the target is that far from the critical load
-    bool   begins_anew = false; // a contact that remembers begins a new path here
+    bool   is_reduced      = false; // the target comes from a reduced load
+    bool   starts_new_path = false; // a new path begins here
 
-    /** "loading" or "unloading": what the scene says, but where the path matters or turns
-     *  the direction of the last change up to here. */
+    /** "loading" or "unloading", as the scene says; in a cycle, or if the state depends
+     *  on its past, the direction of the last change of the target. */
     std::string branch = {};
   };
 
-  /** The steps of @p scene in their order: the Pressures, back again in a cycle, each
-   *  with all slip lengths; and the Reduced loads of each of the @p thresholds. */
+  /** Return the steps of @p scene in their order: first the Pressures, in a cycle there
+   *  and back, each with all slip lengths; then the Reduced loads of each critical load
+   *  in @p thresholds, sorted in the direction of the path. */
   std::vector<LoadStop> plan_stops(const Scene                   &scene,
                                    const std::vector<Transition> &thresholds);
 
-  /** How a seal goes from stop to stop: to each from the one before or, where a path
-   * begins near the critical load, from where the search for that ended. */
+  /** Leads a seal from stop to stop. Each stop is reached from the one before or, where a
+   *  path begins near the critical load, from the state in which the search ended. */
   class SealPath
   {
   public:
@@ -47,18 +48,18 @@ namespace strait
 
     const SealModel model;
 
-    /** Take the state from @p search, which is over, if that is where the path begins. */
+    /** Take over the state of @p search, which is over, if the path begins there. */
     void begin_after(SealSearch &search);
 
     /** Follow the path to @p stop from @p last, the state at the stop before, if there is
-     *  one. Companions on fewer points have a @p control of their own there. Collective.
-     */
-    Arrival go_on(const LoadStop          &stop,
-                  const Control           &control,
-                  std::optional<SealState> last,
-                  Aim                      aim);
+     *  one. @p control is that of the stop; coarser grids may have another target there.
+     *  Collective. */
+    Arrival advance_to(const LoadStop          &stop,
+                       const Control           &control,
+                       std::optional<SealState> last,
+                       Aim                      aim);
 
-    /** Where it begins, if that is needed yet. Collective. */
+    /** Save or restore the state where the path begins, if still needed. Collective. */
     void transfer(StateArchive &archive, const SlabLayoutPtr &layout);
 
   private:
@@ -68,33 +69,35 @@ namespace strait
     std::optional<SealState> start;
   };
 
-  /** The channel and the leak rate in the gap of @p state, to the accuracy that @p scene
-   *  asks for. Collective. */
+  /** Find the channel in the gap of @p state and its leak rate, to the accuracy that
+   *  @p scene asks for. Collective. */
   StepFlow leak_through(const SealState &state, const Scene &scene, FlowStage &flow);
 
-  /** The gap of two equal boxes, one behind the other in x, for what doc/seal.md makes of
-   *  the flow through them. */
+  /** Return the gap of two equal boxes, one behind the other in x. doc/seal.md explains
+   *  what the flow through them is needed for. */
   SlabField two_in_a_row(const SlabField &gap);
 
-  /** With how many coarser grids each step of @p scene is compared. */
+  /** Return the number of coarser grids with which each step of @p scene is compared. */
   int n_compared_grids(const Scene &scene);
 
   /** The seal of a scene on every second point of its contact grid, on every fourth, and
-   *  so on. Two things are cheap there: a first idea of the critical load, which that of
-   *  the grid itself is close to, and what the grid changes of a leak rate. Where the
-   * past of a contact, or a fluid on its walls, matters, each goes the whole way by
-   * itself. */
+   *  so on. At low cost these coarser grids give a first estimate of the critical load of
+   *  the grid itself, and tell how a leak rate changes with the grid. If the state
+   *  depends on its past, or a fluid presses on the walls, each of them follows the whole
+   *  path by itself. */
   class CoarserSeals
   {
   public:
-    /** By what a change from every second point is multiplied where no third grid tells
-     *  its order, which is then taken to be the first: the factor of safety of the grid
-     *  convergence index (Roache, J. Fluids Eng. 116, 1994). With two of it a
-     *  finer grid's leak rate was off by more in three of 54 cases, with four in none. */
+    /** Factor on the change from every second point if no third grid tells the order of
+     *  convergence, which is then taken to be one: the factor of safety of the grid
+     *  convergence index (Roache, J. Fluids Eng. 116, 1994). With a factor of two, the
+     *  leak rate of a finer grid was off by more in three of 54 cases, with four in
+     *  none. */
     static constexpr double safety_factor = 3.;
 
-    /** None where there is no fluid. @p heights on the grid of the contact, which
-     *  @p contact describes. @p scene and @p log must outlive this object. Collective. */
+    /** Make the coarser seals that @p scene needs; none without a fluid. @p heights are
+     *  those on the contact grid, and @p contact the completed section. @p scene and
+     *  @p log must outlive this object. Collective. */
     CoarserSeals(const Scene             &scene,
                  const ContactParameters &contact,
                  const SlabField         &heights,
@@ -106,34 +109,38 @@ namespace strait
       return static_cast<int>(seals.size());
     }
 
-    /** Find the critical loads of all of them, of the coarsest from @p first on. Returns
-     *  where that of the grid itself is sought. Collective. */
+    /** Find the critical loads on all coarser grids, beginning with the coarsest, whose
+     *  search starts at @p first. Return the start for the search on the grid itself.
+     *  Collective. */
     SearchStart find_critical_loads(SearchStart first);
 
-    /** Add to the error of @p critical_load, which its throat has told, what coarser
-     *  points tell where a path or windows matter; elsewhere that takes its place where
-     *  the throat on every second point was off by more than an estimate may be. */
-    void find_error_of(Transition &critical_load) const;
+    /** Complete the grid error of @p critical_load, so far an estimate from its throat.
+     *  If the path or windows matter, add what the coarser grids change. Otherwise, if
+     *  the change from every second point exceeds safety_factor times the estimate from
+     *  the throat there, raise it to safety_factor times that change. */
+    void complete_grid_error(Transition &critical_load) const;
 
-    /** Find those of the pressures of @p blow_outs. Collective. */
-    void find_errors_of(std::vector<BlowOut> &blow_outs);
+    /** Find the grid errors of the pressures in @p blow_outs, if the scene asks for an
+     *  error budget. Collective. */
+    void estimate_grid_errors(std::vector<BlowOut> &blow_outs);
 
-    /** Follow the path to @p stop, where a path matters; a load that is named by its
-     * distance from the critical one, @p counted_from, is as far from that of their own
-     * points. Collective. */
-    void go_on(const LoadStop &stop, const Transition *counted_from);
+    /** Follow the path to @p stop on all coarser grids, for scenes whose states depend on
+     *  the path. A target from a reduced load keeps its distance from the critical load:
+     *  that of the grid itself is @p reference_critical_load, those of the coarser grids
+     * are their own. Collective. */
+    void advance_to(const LoadStop &stop, const Transition *reference_critical_load);
 
-    /** The gap on every 2^halvings-th point [length] at @p control or, with
-     *  @p reduced_load, which is 1 − L/L_c, as far from the critical load of those
-     *  points; where a path matters, where that has led to. None if it is not known.
-     *  Collective. */
+    /** Return the gap on every 2^halvings-th point [length] at @p control or, with
+     *  @p reduced_load, 1 − L/L_c, as far from the critical load of that grid. If the
+     *  path matters, return the gap that advance_to() has led to, or none if that is not
+     *  known. Collective. */
     std::optional<SlabField>
     gap(int halvings, Control control, const std::optional<double> &reduced_load);
 
-    /** Keep only those that steps are compared with. */
+    /** Keep only the grids that steps are compared with. */
     void end_searches();
 
-    /** What is known of them, critical loads and last states. Collective. */
+    /** Save or restore the critical loads and the last states. Collective. */
     void transfer(StateArchive &archive);
 
   private:
@@ -142,43 +149,45 @@ namespace strait
       SlabLayoutPtr              layout;
       std::unique_ptr<FlowStage> flow; // if the fluid presses on the walls
       SealPath                   path;
-      std::vector<Transition>    thresholds; // once they were sought
-      std::optional<SealState>   state;      // that the next is reached from
+      std::vector<Transition>    thresholds; // empty until they are found
+      std::optional<SealState>   state;      // from which the next one is reached
     };
 
     CoarserSeal make(const ContactParameters &contact, const SlabField &heights);
 
-    /** What @p find, a function of a search, finds on the points of @p seal; nothing
-     * where these do not open or close. */
+    /** Return what @p find returns for a search on the grid of @p seal. If that throws
+     *  ComputationError, warn and return an empty result. */
     template <typename Find>
     auto search(const CoarserSeal &seal, const Find &find);
 
     const Scene             &scene;
     Log                     &log;
     Log                      progress_only;
-    Timers                   timers; // of what is not told
-    std::vector<CoarserSeal> seals;  // every second point first
+    Timers                   timers; // not reported
+    std::vector<CoarserSeal> seals;  // the first on every second point
   };
 
   /**
-   * What each stage of the method adds to the uncertainty of the leak rate of a step that
-   * leaks, and the parameter that would reduce it, as doc/numerics.md lists them. Where
-   * its load was named by the distance from the critical load @p counted_from, or null,
-   * the leak rate at that distance is what is sought, and a coarser grid is compared at
-   * the same distance from its own: most of what a grid does is to shift both.
+   * Estimate what each stage of the method adds to the error of the leak rate of a step
+   * that leaks, with the parameter that would reduce it; doc/numerics.md lists the
+   * stages. If the scene gives the load as a reduced one, @p reference_critical_load is
+   * the critical load, otherwise null. A coarser grid is then compared at the same
+   * reduced load, because a grid mostly shifts the critical load, and the leak rate with
+   * it.
    * @p rms_height is that of the surface. Collective.
    */
   StepErrors assess_errors(const Step       &step,
-                           const Transition *counted_from,
+                           const Transition *reference_critical_load,
                            const Scene      &scene,
                            double            rms_height,
                            const FlowStage  &flow,
                            CoarserSeals     &coarser);
 
-  /** Why the exponent of the leak rate cannot be told from a step that leaks below its
-   *  @p threshold, why it is uncertain that one above it seals, or that a step
-   *  contradicts it: words for the column `status`. Warns of each, with what would help,
-   *  which depends on whether the scene @p zooms. */
+  /** Return the doubts about a step, as words for the column `status`: it contradicts its
+   *  @p threshold; it leaks below it, but the critical load or the throat is not known
+   *  well enough for the exponent of the leak rate; or it seals so little above it that
+   *  finer points may leak. Warn of each with a remedy, which depends on whether the
+   *  scene @p zooms. */
   std::vector<std::string> doubts_near_threshold(const Step       &step,
                                                  const Transition &threshold,
                                                  bool              zooms,
@@ -187,38 +196,40 @@ namespace strait
   /** How far a sweep has come. */
   struct SweepProgress
   {
-    std::vector<Transition> thresholds;        // once they were sought
+    std::vector<Transition> thresholds;        // empty until they are found
     std::vector<Jump>       jumps;             // of the state of an adhesive contact
     int                     n_done     = 0;    // steps
-    int                     n_left_out = 0;    // since surfaces had parted
-    bool                    converged  = true; // all steps, and of the searches
+    int                     n_left_out = 0;    // steps, because the surfaces had parted
+    bool                    converged  = true; // all steps and searches so far
 
-    double surface_energy = 0.; // the scene's, or what was found to match an area
+    double surface_energy = 0.; // the scene's, or found to match a contact area
   };
 
   /** The method in one place: for each load of the programme, press the surface against
-   *  the elastic half-space, ask whether a channel percolates through the gap, and solve
-   *  for the flow through it. If the scene asks for the critical load or the blow-out
-   *  pressure, that is found first. */
+   *  the elastic half-space, find out whether a channel percolates through the gap, and
+   *  solve for the flow through it. If the scene asks for critical loads or blow-out
+   *  pressures, find_thresholds() and find_blow_outs() are called first. */
   class LoadSweep
   {
   public:
     /** Receives each step as soon as it is done. May throw to stop. */
     using Consumer = std::function<void(const Step &)>;
 
-    /** @p scene, @p log and @p timers must outlive the sweep. @p surface_energy is that
-     *  of an earlier part of the run; with 0 it is the scene's, or sought. Collective. */
+    /** @p scene, @p log and @p timers must outlive the sweep. @p surface_energy is the
+     *  one from an earlier part of the run; if it is 0, it is taken from the scene, or
+     *  found as the scene asks. Collective. */
     LoadSweep(const Scene &scene,
               SlabField    heights,
               Log         &log,
               Timers      &timers,
               double       surface_energy = 0.);
 
-    /** Enclose the critical load of every slip length. The steps that follow know their
-     *  reduced load, and those at `Reduced loads` are added. Collective. */
+    /** Enclose the critical load of every slip length. From then on steps have a reduced
+     *  load, and those at `Reduced loads` are added. Collective. */
     const std::vector<Transition> &find_thresholds();
 
-    /** Enclose the blow-out pressure of every load of the programme. Collective. */
+    /** Enclose the blow-out pressure of every load of the programme and, if the scene
+     *  asks for it, the re-sealing pressure. Collective. */
     std::vector<BlowOut> find_blow_outs();
 
     const SweepProgress &
@@ -227,7 +238,7 @@ namespace strait
       return done;
     }
 
-    /** Number of steps that run() will make. */
+    /** Number of steps of the whole run, those done included. */
     int
     n_steps() const
     {
@@ -236,26 +247,24 @@ namespace strait
     }
 
     /**
-     * Run all steps that are not done, on each path those before the surfaces part.
-     * Collective.
-     * @return whether all of them converged.
+     * Run all steps that are not done; a path ends where the surfaces part. Collective.
+     * @return whether all steps and searches converged.
      */
     bool run(const Consumer &consume);
 
-    /** What looks for the transitions; null once the searches are over, or if there is
-     *  none to make. */
+    /** The search for transitions; null if the scene needs none, or once it is over. */
     SealSearch *
     search() const
     {
       return seal_search.get();
     }
 
-    /** The searches are over; what only they need is freed. */
+    /** Free what only the searches need. */
     void end_searches();
 
-    /** All that is to come depends on: the last state, the answers of a search that is
-     *  not over, and what was found. May be called by the consumer and after a probe.
-     *  Collective. */
+    /** Save or restore all that the rest of the run depends on: the last state, the
+     *  answers of a search that is not over, and what was found. May be called by the
+     *  consumer and after a probe. Collective. */
     void transfer(StateArchive &archive);
 
   private:

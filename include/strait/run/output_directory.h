@@ -15,27 +15,28 @@
 
 namespace strait
 {
-  /** Keeps other runs out of a folder while what is returned lives. There is no file for
-   *  it, and the system takes the lock away with the process, however that ends. A folder
+  /** Lock @p folder against other runs while the returned object lives. The lock has no
+   *  file, and the system releases it when the process ends, in whatever way. A folder
    *  that does not exist, or whose file system has no locks, is not locked. Throws
-   *  InputError if another lock of it lives, in this process or in another. */
+   *  InputError if the folder is already locked, by this process or by another. */
   [[nodiscard]] std::shared_ptr<const void> lock_folder(const std::string &folder);
 
-  /** In what two resolved scenes differ, "Contact/Grid points = 512 where the scene now
-   *  has 64"; empty if in nothing that a number of the results depends on. */
+  /** Describe how two resolved scenes differ, as in "Contact/Grid points = 512 where the
+   *  scene now has 64"; empty if no number of the results depends on a difference. */
   std::string difference_of_scenes(const std::string &then, const std::string &now);
 
   /** Throws InputError on all ranks if the output directory of @p scene holds results of
-   *  another scene, or of one that cannot be told. Collective. */
+   *  another scene, or of an unknown one. Collective. */
   void refuse_results_of_another_scene(const Scene &scene, MPI_Comm comm);
 
   /**
-   * Make the output directory of @p scene, unless the run is @p resumed remove the
-   * results of an earlier one from it, and only those, so that a folder never mixes two
-   * runs, and begin with the log and parameters.prm. Returns on rank 0 the lock of the
-   * folder, to be held until the last result is written. Collective. Throws on all ranks:
-   * InputError, before anything is touched, if another run holds the lock, or if the
-   * folder cannot be made or written to; ComputationError if the disk is full.
+   * Prepare the output directory of @p scene, and begin with the log and parameters.prm.
+   * Unless the run is @p resumed, make the folder and remove the results of an earlier
+   * run from it, and only those, so that a folder never mixes two runs. Returns on rank 0
+   * the lock of the folder, to be held until the last result is written. Collective.
+   * Throws on all ranks: InputError, before any result is touched, if another run holds
+   * the lock or the folder cannot be made or written to; ComputationError if the disk is
+   * full.
    */
   [[nodiscard]] std::shared_ptr<const void>
   begin_results(const Scene &scene, MPI_Comm comm, Log &log, bool resumed);
@@ -46,12 +47,12 @@ namespace strait
   {
   public:
     /** Collective. Throws on all ranks what begin_results() does. With @p resumed the
-     *  folder stays as it is until transfer() restores the tables. @p scene must outlive
-     *  this object. */
+     *  tables stay as they are until transfer() restores them. @p scene must outlive this
+     *  object. */
     OutputDirectory(const Scene &scene, MPI_Comm comm, Log &log, bool resumed = false);
 
-    /** The tables so far; those on the disk may have rows of steps that were not
-     *  completed. Collective. */
+    /** Save or restore the tables so far. Restoring drops rows of steps that were not
+     *  completed from the files. Collective. */
     void transfer(StateArchive &archive);
 
     /** Write a whole table to its file. Collective. */
@@ -62,11 +63,13 @@ namespace strait
       run_on_root(comm, [&]() { whole.write_rows(path, rows); });
     }
 
-    /** Write a row, and fields and picture data as the scene asks. Collective. */
+    /** Write the rows of @p step, and fields and picture data as the scene asks.
+     *  Collective. */
     void write(const Step &step, bool is_last);
 
-    /** Write run.json and draw the pictures. Returns what @p thresholds and steps leave.
-     *  @p bytes_per_point is the most memory so far per grid point. Collective. */
+    /** Write run.json, fit exponents if there are @p thresholds, and draw the pictures.
+     *  Returns the summary of the run. @p bytes_per_point is the peak memory so far per
+     *  grid point. Collective. */
     RunSummary finish(const std::vector<Transition> &thresholds,
                       const Timers                  &timers,
                       double                         bytes_per_point);
@@ -87,11 +90,12 @@ namespace strait
     RunSummary summary; // of the steps so far
   };
 
-  // What scripts make of the results in the output directory of a scene. What they say
-  // goes to the log. These functions are for rank 0 only.
+  // The following functions run scripts on the results in an output directory. The output
+  // of the scripts goes to the log. For rank 0 only.
 
-  /** Write fit.csv of a run in @p folder that looks for the threshold, or complete
-   *  ensemble.csv of several and write ensemble_summary.csv; a failure is a warning. */
+  /** Write fit.csv for a run in @p folder that looks for the threshold or, for several
+   *  realisations, complete ensemble.csv and write ensemble_summary.csv. A failure is a
+   *  warning. */
   void fit_results(const std::string &folder, Log &log);
 
   /** Throw InputError if the loads of the patches do not cover what the seal's pressure
@@ -102,6 +106,7 @@ namespace strait
    *  ComputationError if that fails. */
   void assess_whole_seal(const Scene &scene, Log &log);
 
-  /** Pictures and report.html, as the scene asks; a failure is a warning. */
+  /** Draw the pictures and write report.html, as the scene asks. A failure is a
+   *  warning. */
   void draw_results(const Scene &scene, Log &log);
 } // namespace strait

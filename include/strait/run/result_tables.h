@@ -13,23 +13,23 @@
 #include <string>
 #include <vector>
 
-/** The tables of a run and of its realisations: what files and columns there are, in what
- * units, and what they mean, is said here and nowhere else. */
+/** The tables of a run and of its realisations. Their files, columns, units and
+ *  definitions are stated here and nowhere else. */
 namespace strait
 {
   /** A row of spectrum.csv. */
   struct SpectrumRow : SpectrumBin
   {
-    double law = 0.; // density of the self-affine law that fits best
+    double law = 0.; // density by the self-affine law that fits best
   };
 
-  /** One surface of several, and what came of it: a row of ensemble.csv. */
+  /** One realisation of several and its result: a row of ensemble.csv. */
   struct RealisationRow : RunSummary
   {
     int                number      = 0; // from 1
     unsigned long long seed        = 0;
     int                orientation = 0;  // see RealisationParameters
-    std::string        failure     = {}; // why it failed or was stopped, if it was
+    std::string        failure     = {}; // why it failed or was stopped; else empty
     bool               stopped     = false;
   };
 
@@ -52,13 +52,13 @@ namespace strait
   Table<RelaxationStep> relaxation_table(const Scene       &scene,
                                          const std::string &step = "STEP");
 
-  /** spectrum.csv: of the surface. */
+  /** spectrum.csv: power spectral density of the surface. */
   Table<SpectrumRow> spectrum_table(const Scene &scene);
 
   /** ensemble.csv: one row for each realisation. */
   Table<RealisationRow> ensemble_table(const Scene &scene);
 
-  /** What all tables hold, leakage.csv first. */
+  /** Descriptions of all tables, leakage.csv first. */
   std::vector<TableInfo> all_tables(const Scene &scene);
 
   /** Print the reference of all tables. Throws InputError if @p format is not "md". */

@@ -13,30 +13,30 @@
 
 namespace strait
 {
-  /** The checkpoint of one run: saved after every step, and taken up by a later run of
-   *  the same scene in the same folder. Without Output/Checkpoint nothing is saved. */
+  /** The checkpoint of one run: saved after every step, so that a later run of the same
+   *  scene in the same folder can resume. Without Output/Checkpoint nothing is saved. */
   class RunState
   {
   public:
-    /** With @p resume the checkpoint in the output directory is opened. Collective.
-     *  Throws InputError if there is none, or one of another scene or of other files that
-     *  it reads, or if another run is at work there; nothing is written then. @p scene
-     *  must outlive this object. */
+    /** With @p resume, open the checkpoint in the output directory. Collective. Throws
+     *  InputError, before anything is written, if another run is at work there or, with
+     *  @p resume, if there is no checkpoint, or if it is one of another scene or of other
+     *  input files. @p scene must outlive this object. */
     RunState(const Scene &scene, MPI_Comm comm, bool resume);
 
-    std::optional<RunSummary> finished; // what the run left, if it has come to its end
+    std::optional<RunSummary> finished; // the summary of the run, if it has finished
 
-    bool   has_begun      = false; // there is something that a resumed run goes on from
+    bool   has_begun      = false; // there is something to resume
     double surface_energy = 0.;    // of the adhesion; 0 if it is not known yet
 
-    /** Puts all that a run works with into an archive, or takes it from there. */
+    /** Writes all that a run works with to an archive, or reads it from there. */
     using Parts = std::function<void(StateArchive &)>;
 
-    /** Put the run where it stopped. Collective. */
+    /** Restore @p parts from the checkpoint that was opened. Collective. */
     void restore(const Parts &parts);
 
-    /** Without @p parts it is a mark of the scene alone, and of what the run left if it
-     *  has finished. Collective. Throws ComputationError if the disk is full. */
+    /** Write the checkpoint. Without @p parts it holds only the scene and, if the run has
+     *  finished, its summary. Collective. Throws ComputationError if the disk is full. */
     void save(const Parts &parts = {});
 
   private:
@@ -50,7 +50,7 @@ namespace strait
     MPI_Comm                       comm;
     std::string                    path;
     std::unique_ptr<StateArchive>  archive; // of the run that is resumed
-    const std::vector<std::string> files;   // the scene's, and what is in them
+    const std::vector<std::string> files;   // names and checksums of the input files
   };
 
   /** Throws InputError on all ranks if the output directory of @p scene holds results of

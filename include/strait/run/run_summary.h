@@ -8,14 +8,14 @@
 
 namespace strait
 {
-  /** What a run leaves besides its files. */
+  /** The summary of a run, beside its files. */
   struct RunSummary
   {
-    bool        converged = true; // all steps
+    bool        converged = true; // all steps and searches
     std::string status    = "ok"; // words of all steps
     std::string validity  = "ok"; // likewise
 
-    /** At the first slip length, if the scene looks for it. */
+    /** The critical load at the first slip length, if the scene looks for it. */
     Transition threshold = {0., std::nan(""), std::nan(""), std::nan("")};
   };
 } // namespace strait

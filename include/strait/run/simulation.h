@@ -17,8 +17,8 @@ namespace strait
    * written if the scene's input is bad, ComputationError if no threshold is found, and
    * Interruption if a signal stopped it.
    *
-   * With @p resume the run in the output directory is continued from its last complete
-   * step; InputError, before anything is written, if its checkpoint does not serve.
+   * With @p resume, continue the run in the output directory from its last complete step.
+   * Throws InputError, before anything is written, if its checkpoint cannot be used.
    */
   RunSummary simulate(const Scene &scene,
                       Log         &log,
@@ -27,10 +27,10 @@ namespace strait
 
   /**
    * Run @p scene for each of its realisations, or once if it has no section Realisations.
-   * What they leave in the output directory and in folders of it doc/results.md tells.
-   * One whose threshold is not found says so in its row and does not stop the others; the
-   * rows of those that run at the same time come in the order of the scene. With @p
-   * resume, realisations that are done are not run again. Collective.
+   * doc/results.md describes the files in the output directory and its subfolders. A
+   * realisation that fails, as without a threshold, says so in its row and does not stop
+   * the others. The rows of realisations that run at the same time are in the order of
+   * the scene. With @p resume, realisations that are done are not run again. Collective.
    *
    * @return whether all steps of all realisations converged. Throws Interruption if a
    * signal stopped one.
@@ -41,14 +41,13 @@ namespace strait
    *  Throws InputError. Collective. */
   void check_input(const Scene &scene, Log &log);
 
-  /** The same, and print sizes, memory, resolution warnings and active effects.
-   *  Collective. */
+  /** Do what check_input() does, and print sizes, memory, resolution warnings and active
+   *  effects. Collective. */
   void describe(const Scene &scene, Log &log);
 
-  /** What will limit the accuracy of a leak rate, without computing anything, in a line
-   *  for the screen: from throats of comparable runs (doc/accuracy.md, doc/paper.md). @p
-   *  rms_slope is that of the heights, which the threshold of a rough surface scales
-   * with.
-   */
+  /** Predict, in a line for the screen, what will limit the accuracy of the leak rate.
+   *  Computes nothing, but relies on the throats of comparable runs (doc/accuracy.md,
+   *  doc/paper.md). @p rms_slope is that of the heights; the critical load of a rough
+   *  surface scales with it. */
   std::string limiting_error(const Scene &scene, double rms_slope);
 } // namespace strait

@@ -19,7 +19,7 @@
 
 namespace strait
 {
-  /** Add to @p all, "ok" or words joined by +, those of @p more that it lacks. */
+  /** Add to @p all the words of @p more that it lacks; lists are "ok" or joined by +. */
   inline void
   add_words(std::string &all, const std::string &more)
   {
@@ -35,18 +35,18 @@ namespace strait
   struct ErrorItem
   {
     std::string source;
-    double      relative = 0.; // not a number: not known
+    double      relative = 0.; // not a number if it is not known
     std::string parameter;     // that would reduce it
   };
 
-  /** The errors of a step's leak rate, the largest first (load_sweep.h). */
+  /** The errors of a step's leak rate: see assess_errors() in load_sweep.h. */
   struct StepErrors
   {
-    std::vector<ErrorItem> items;
-    std::optional<double>  grid_order;   // observed from contact grid to contact grid
+    std::vector<ErrorItem> items;        // unknown ones first, then the largest
+    std::optional<double>  grid_order;   // of convergence with the contact grid, observed
     std::optional<double>  extrapolated; // leak rate at a grid spacing of zero
 
-    /** The first that is known. There must be some. */
+    /** The largest that is known, or the first item. There must be some. */
     const ErrorItem &
     largest_known() const
     {
@@ -56,7 +56,8 @@ namespace strait
       return items.front();
     }
 
-    /** All of them together; not a number if one is not known or the leak rate is 0. */
+    /** The sum of all items; not a number if one is not known or there is none, as for a
+     *  leak rate of 0. */
     double
     sum() const
     {
@@ -67,25 +68,26 @@ namespace strait
     }
   };
 
-  /** With fewer grid points the contact grid's error may exceed that of a bracket of 2 %.
-   *  Contact grid and interpolation change the leak rate of prm/quickstart.prm by 2 %
-   *  with 2.9 points; by 10 to 27 % with 1.4 to 2.3, by 0.5 % with 6. */
+  /** With fewer grid points along a throat, the error of the contact grid may exceed that
+   *  of a bracket of 2 %. Contact grid and interpolation change the leak rate of
+   *  prm/quickstart.prm by 2 % with 2.9 points, by 10 to 27 % with 1.4 to 2.3 points, and
+   *  by 0.5 % with 6. */
   constexpr double least_points_along_throat = 3.;
 
-  /** One limit of the model, and what a step says of it. */
+  /** One limit of the model, and the number of a step that is compared with it. */
   struct ValidityCheck
   {
-    std::string word;             // of the column validity where the limit is passed
-    double      number;           // of the step
-    double      limit;            // for that number
-    std::string advice;           // what it means, and what to switch on or to change
-    bool        is_least = false; // it must not fall below the limit, or not exceed it
+    std::string word;   // for the column validity, if the limit is violated
+    double      number; // of the step
+    double      limit;  // for that number
+    std::string advice; // what a violation means, and what to change
+    bool        is_lower_limit = false; // whether the limit is a lower one
 
-    /** Whether the model holds in this respect; a number that is none proves nothing. */
+    /** Whether the step keeps to the limit; false if the number is not a number. */
     bool
     holds() const
     {
-      return is_least ? number >= limit : number <= limit;
+      return is_lower_limit ? number >= limit : number <= limit;
     }
   };
 
@@ -95,18 +97,18 @@ namespace strait
     int         number = 0; // counts from 1
     std::string branch;     // loading or unloading
     SealState   state;
-    double dissipated_energy = 0.; // by jumps of the contact on the way [energy/area]
+    double      dissipated_energy = 0.; // by jumps since the last step [energy/area]
 
     std::optional<StepFlow>     flow;         // unless the fluid is off
-    std::optional<Leakage>      two_boxes;    // of two in a row, if the scene asks for it
+    std::optional<Leakage>      two_boxes;    // of two boxes in a row, if they are needed
     std::optional<TheoryResult> theory;       // if the scene asks for it
     std::optional<double>       reduced_load; // 1 − L/L_c, if the threshold is known
     StepErrors                  errors;       // of the leak rate, if there is one
-    std::vector<std::string>    doubts;       // about a result that may have converged
+    std::vector<std::string>    doubts;       // words for a result that may be converged
     std::vector<ValidityCheck>  checks;       // of the model's limits
     double                      flow_seconds = 0.;
 
-    /** "ok", or a word for each limit of the model that the step passes, joined by +. */
+    /** "ok", or a word for each limit of the model that is violated, joined by +. */
     std::string
     validity() const
     {
@@ -117,7 +119,8 @@ namespace strait
       return words;
     }
 
-    /** Where the path of least resistance is narrowest; not numbers if there is none. */
+    /** Where the path of least resistance is narrowest [length]; not numbers if there is
+     *  no path. */
     std::array<double, 2>
     place_of_bottleneck() const
     {
@@ -127,7 +130,7 @@ namespace strait
       return position_of(state.gap().layout(), paths.front().bottleneck);
     }
 
-    /** Whether all solvers reached what was asked of them. */
+    /** Whether all solvers reached the accuracy that was asked for. */
     bool
     converged() const
     {
@@ -152,15 +155,15 @@ namespace strait
     }
   };
 
-  /** Compare @p step with every limit of the model for which @p scene gives what is
-   *  needed, and warn of those that are passed. doc/validity.md lists the limits with
+  /** Compare @p step with every limit of the model for which @p scene gives the data, and
+   *  warn of each that is violated, once in a run. doc/validity.md lists the limits with
    *  their sources. @p rms_slope is that of the surface. Collective. */
   void judge_validity(Step &step, const Scene &scene, double rms_slope, Log &log);
 
-  /** On the live line, the step that begins and how long it and those after it may take
-   *  if each takes @p seconds_each; 0: that is not known. */
+  /** Show on the live line of @p log which step begins, and how long it and those after
+   *  it may take if each takes @p seconds_each; 0 if that is not known. */
   void announce_step(int number, int n_steps, double seconds_each, Log &log);
 
-  /** A line on a step that is done. */
+  /** Write a line on a finished step to @p log, and one on its largest error. */
   void report_step(const Step &step, int n_steps, Log &log);
 } // namespace strait

@@ -9,19 +9,18 @@
 
 namespace strait
 {
-  /** What the theory says about one step. */
+  /** What the theory predicts for one step. */
   struct TheoryResult
   {
-    double pressure     = 0.; // nominal; not a number without contact, as what follows
+    double pressure     = 0.; // nominal; 0 if the gap is given
     double contact_area = 0.; // fraction of the nominal area, by Persson's theory
     double mean_gap     = 0.;
     double leak_rate    = 0.; // of the effective medium in the scene's box
-    double error        = 0.; // of mean gap and leak rate by quadrature, relative
+    double error        = 0.; // relative, of mean gap and leak rate by quadrature
 
     std::optional<YieldingAreas> yielding; // if the scene's contact yields
 
-    /** P(u) in broad bins by Persson's theory, and as simulated, if fields are written.
-     */
+    /** P(u) in broad bins, by Persson's theory and simulated, if fields are written. */
     std::optional<GapDistribution> persson_gaps;
     std::optional<GapDistribution> simulated_gaps;
   };
@@ -31,15 +30,16 @@ namespace strait
   class TheoryPrediction
   {
   public:
-    /** @p heights are measured where the scene takes the spectrum of the surface, and may
-     *  be null where it takes the model's. Throws InputError if the surface is flat.
-     *  @p scene must outlive this object. Collective. */
+    /** The spectrum is measured on @p heights if the scene asks for that of the surface;
+     *  for that of the model @p heights may be null. Throws InputError if the surface is
+     *  flat. @p scene must outlive this object. Collective. */
     TheoryPrediction(const Scene &scene, const SlabField *heights);
 
-    /** The theory at one nominal @p pressure and @p slip_length. @p gap is the simulated
-     *  one, which may be null unless the scene asks for its distribution, @p threshold
-     *  the critical load or null where it was not sought. A pressure that is not positive
-     *  leaves contact area and mean gap not numbers. Collective. */
+    /** Evaluate the theory at one nominal @p pressure and @p slip_length. @p gap is the
+     *  simulated one, which may be null unless the scene asks for its distribution, and
+     *  @p threshold the critical load, or null if it was not sought. If the pressure is
+     *  not positive, contact area and mean gap are not numbers, nor is the leak rate
+     *  unless it is that of the simulated gap. Collective. */
     TheoryResult predict(double            pressure,
                          double            slip_length,
                          const SlabField  *gap,
@@ -54,6 +54,6 @@ namespace strait
   private:
     const Scene  &scene;
     PerssonTheory persson;
-    PerssonTheory coarse; // the difference to it estimates the error
+    PerssonTheory coarse; // with fewer points, for an estimate of the error
   };
 } // namespace strait

@@ -16,39 +16,38 @@ namespace strait
   class ReynoldsSolver;
   struct SealMesh;
 
-  /** What the fluid does in one gap. */
+  /** The flow through one gap. */
   struct StepFlow
   {
     Channel channel;
-    Leakage leakage; // a rate of zero where nothing percolates
+    Leakage leakage; // rate 0 where nothing percolates
 
-    /** If the scene looks for the threshold and something percolates. */
+    /** Set if the scene looks for the threshold and something percolates. */
     std::optional<ConstrictionReport> constrictions;
 
-    /** For fields and pictures: the mesh that the scene names, null if the fluid flows in
-     *  the box, and the mesh and pressure of the flow, null where nothing percolates;
-     *  valid until the flow stage is given another gap. */
+    /** For fields and pictures. `seal` is the seal mesh that the scene names, null if the
+     *  fluid flows in the box; `solution` has the mesh and the pressure of the flow, null
+     *  where nothing flows. Valid until the flow stage is given another gap. */
     const SealMesh                 *seal = nullptr;
     std::shared_ptr<ReynoldsSolver> solution;
 
-    /** The last solution, whose mesh follow() goes on with where a channel opens again.
-     */
+    /** The last solution; follow() continues on its mesh where a channel opens again. */
     std::shared_ptr<ReynoldsSolver> followed;
   };
 
-  /** From a gap to what the fluid does in it: percolation, paths, mesh, flow. */
+  /** Finds the flow through a gap: percolation, paths, mesh, solution. */
   class FlowStage
   {
   public:
     /**
-     * A mesh that is fine around a throat serves, should that close and open again as
-     * well, until no channel leads there or one is this many times narrower elsewhere;
-     * and for a bracket until the leak rate is as many times what it was when the mesh
-     * was made, or less by as much. Half of it makes a new mesh each time. Double of it
-     * takes the pressure around a new throat from cells that are too coarse for it, and
-     * keeps more cells that no longer matter.
+     * How far a gap may differ from the one for which a mesh was made. follow() keeps a
+     * mesh, even if its throat closes and opens again, as long as the channel leads
+     * through that throat and is nowhere narrower by this factor or more. certify() keeps
+     * it as long as the leak rate differs by at most this factor. Half of it makes a new
+     * mesh each time. Double of it takes the pressure around a new throat from cells that
+     * are too coarse for it, and keeps more cells that no longer matter.
      */
-    static constexpr double another_gap = 2.;
+    static constexpr double remesh_ratio = 2.;
 
     /** @p log and @p timers must outlive this object. */
     FlowStage(const FluidParameters &fluid,
@@ -56,56 +55,57 @@ namespace strait
               Log                   &log,
               Timers                &timers);
 
-    /** All about one gap, the bracket of the leak rate included, to @p tolerance_factor
-     *  times the target accuracy if possible. Collective. */
+    /** Find the channel, the flow and the bracket of the leak rate in @p gap, to
+     *  @p tolerance_factor times the target accuracy if possible. Collective. */
     StepFlow
     solve(const SlabField &gap, double slip_length, double tolerance_factor = 1.);
 
-    /** By how much the leak rate of @p flow, which solve() has found and which is not
-     * zero, would change, relative, if the gap between the points were interpolated the
-     * other way. Collective. */
+    /** Return the relative change of the leak rate if the gap between the points were
+     *  interpolated the other way. @p flow comes from solve(), and its leak rate is not
+     *  zero. Collective. */
     double change_by_interpolation(const StepFlow &flow) const;
 
-    /** By how much, relative, the leak rate through @p gap differs from that of @p flow,
-     * which is not zero and which a stage for the same box has found, whose grid has as
-     * many points each way or 2, 4 … times as many; −1 if the gap seals. Collective. */
+    /** Return the relative difference of the leak rate through @p gap from that of
+     *  @p flow, which is not zero; −1 if the gap seals. A stage for the same box has
+     *  found the flow, on a grid of as many points each way, or 2, 4, … times as many.
+     *  Collective. */
     double change_to(const SlabField &gap, double slip_length, const StepFlow &flow);
 
-    /** Bring @p flow, which may be new, into another gap, where nothing is known of it
-     *  yet but whether a channel percolates, which is returned. Collective. */
+    /** Begin with another gap: find its channel and reset the rest of @p flow, which may
+     *  be new. Returns whether a channel percolates. Collective. */
     bool find_channel(StepFlow &flow, const SlabField &gap, double slip_length);
 
     /**
-     * Find the flow through that channel, in a gap that differs a little from the one
-     * before: its pressure, and the upper bound of the leak rate, on the mesh that it
-     * has. Where the channel has opened or moved away from that mesh there is a new one,
-     * for @p tolerance_factor times the target accuracy. Collective.
+     * Find the pressure, and the upper bound of the leak rate, in the channel of
+     * find_channel(), on the mesh of the gap before, from which this one differs a
+     * little. If there is no mesh yet, or the channel has left its fine cells, make a new
+     * one, for @p tolerance_factor times the target accuracy. Collective.
      */
     void follow(StepFlow &flow, double tolerance_factor);
 
     /**
-     * Complete what follow() left out, the bracket of the leak rate, on the same mesh
-     * or finer ones, or on a new one if the leak rate is quite another than when that was
-     * made, to @p tolerance_factor times the target accuracy if possible. Returns the
+     * Find what follow() leaves out, the bracket of the leak rate, to @p tolerance_factor
+     * times the target accuracy if possible: on the same mesh or finer ones, or on a new
+     * one if the leak rate is quite another than when the mesh was made. Returns the
      * leakage. Collective.
      */
     const Leakage &certify(StepFlow &flow, double tolerance_factor);
 
-    /** Let the next certify() make a new mesh in any case. */
+    /** Make the next certify() begin with a new mesh. */
     void
     discard_mesh()
     {
       meshed_leak_rate = 0.;
     }
 
-    /** Give back the memory of the bridge; flows that were solved cannot be refined. */
+    /** Release the memory of the gap field; solved flows cannot be refined any more. */
     void
     release()
     {
       gap_field.release();
     }
 
-    /** Say how well a leak rate is known, and why no better, if there is a reason. */
+    /** Warn of a leak rate that misses its target accuracy, with the reason. */
     void warn_of_width(const Leakage &leakage);
 
     /** Where the fluid flows. */
@@ -121,7 +121,7 @@ namespace strait
       return parameters;
     }
 
-    /** For flows that are solved from now on [pressure]. */
+    /** Set the inlet pressure of flows that are solved from now on [pressure]. */
     void
     set_inlet_pressure(const double pressure)
     {
@@ -146,10 +146,10 @@ namespace strait
     Log                            &log;
     Timers                         &timers;
     GapField                        gap_field;
-    std::shared_ptr<const SealMesh> seal; // null: the box
+    std::shared_ptr<const SealMesh> seal; // null: flow in the box
     FlowDomain                      flow_domain;
     double                          aspect;            // of the domain, see Leakage
-    GridPoint                       meshed_bottleneck; // that the last mesh was made for
+    GridPoint                       meshed_bottleneck; // for which the last mesh was made
     double meshed_leak_rate = 0.;                      // likewise; 0: it was discarded
   };
 } // namespace strait

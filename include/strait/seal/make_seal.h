@@ -11,10 +11,10 @@
 namespace strait
 {
   /**
-   * The contact parameters of the scene with all that a run has to find out first: a
-   * tolerance that the verdict of a threshold search does not notice, and the surface
-   * energy of the adhesion, which is @p surface_energy where that is positive. What
-   * adhesion there is is told to @p log. Collective. Throws as adhesion_of_scene().
+   * Return the contact parameters of the scene with all that a run has to find first: a
+   * tolerance that does not affect the verdict of a threshold search, and the surface
+   * energy of the adhesion, which is @p surface_energy where that is positive. The
+   * adhesion is reported to @p log. Collective. Throws as adhesion_of_scene().
    */
   ContactParameters complete_contact(const Scene     &scene,
                                      const SlabField &heights,
@@ -22,9 +22,9 @@ namespace strait
                                      Log             &log);
 
   /**
-   * The seal of @p scene: the only place that knows which models there are. Of its
-   * @p contact the section is complete; @p flow is needed where the fluid presses on the
-   * walls. Collective. The references must outlive the model.
+   * Make the seal of @p scene; no other place knows all models. @p contact is the
+   * completed section of the scene; @p flow is needed where the fluid presses on the
+   * walls, and may be null elsewhere. Collective. The references must outlive the model.
    */
   SealModel make_seal(const Scene             &scene,
                       const ContactParameters &contact,
@@ -32,11 +32,12 @@ namespace strait
                       FlowStage               *flow,
                       Log                     &log);
 
-  /** Where the search for the first critical load of a surface of this slope begins, with
-   *  @p contact in place of that of @p scene. Throws ComputationError if it has none. */
+  /** Return where the search for the first critical load of a surface of this slope
+   *  begins, with @p contact in place of that of @p scene. Throws ComputationError if the
+   *  slope is not positive. */
   SearchStart
   search_start(const Scene &scene, const ContactParameters &contact, double rms_slope);
 
-  /** Which steps are too long for the accuracy that the scene asks for. */
+  /** Return which steps are too long for the accuracy that the scene asks for. */
   StepRule step_rule(const Scene &scene);
 } // namespace strait

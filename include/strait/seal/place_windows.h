@@ -9,22 +9,22 @@
 namespace strait
 {
   /**
-   * The windows that a gap needs so that its throats have as many points along the flow
-   * as the scene wants: those that @p layout has, and what the @p throats of a channel
-   * lack, one level more for each at a time. A throat at which a fraction f of the
-   * pressure drops needs √f of those points, for its error counts by that fraction.
-   * Returns those of @p layout where nothing is lacking.
+   * Return the windows with which the throats of a gap have as many points along the flow
+   * as the scene wants: those of @p layout, and one or two levels more around each of the
+   * @p throats that lacks points. A throat that takes a fraction f of the pressure drop
+   * needs √f of those points, because its error counts by that fraction. Returns the
+   * windows of @p layout if nothing is lacking.
    *
-   * A new window that would touch another one of its level is joined with it or, where
-   * that would be too large, left out, unless no throat lies in the other; throats that
-   * matter most come first.
+   * A new window that would touch another one of its level is joined with it. If the
+   * result would be too large, the new one replaces the other if no throat needs that,
+   * and is left out otherwise. Throats with the largest fraction come first.
    */
   std::vector<ZoomWindow> place_windows(const SlabLayout                &layout,
                                         const std::vector<ThroatOnPath> &throats,
                                         const ZoomParameters            &zoom);
 
-  /** The windows of @p layout that @p throats need, or would if they were three to nine
-   *  times as short; parents of others among them. */
+  /** Return the windows of @p layout that @p throats need, and one level more, which is
+   *  enough until they are three to nine times as short; parents of windows included. */
   std::vector<ZoomWindow> needed_windows(const SlabLayout                &layout,
                                          const std::vector<ThroatOnPath> &throats,
                                          const ZoomParameters            &zoom);

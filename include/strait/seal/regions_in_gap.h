@@ -11,28 +11,31 @@
 namespace strait
 {
   /**
-   * Where the regions of trapped fluid are in one gap on the way to a state, how large
-   * they are there, and which of them there are once the state is found.
+   * The regions of trapped fluid in one gap on the way to a state: where they are, how
+   * large they are, and which of them remain once the state is found.
    *
-   * On the way the regions stay what they were in the state before: an open point belongs
-   * to the region that owned it, whatever its cluster is joined to by now. What a trapped
-   * cluster has of the reservoirs' fluid has just been cut off: a region of its own, of
-   * no mass yet. What has opened in a trapped cluster belongs to the largest region in
-   * it, if there is one. A region that is pressed shut keeps the points that it had.
+   * On the way, the regions are those of the state before: an open point belongs to the
+   * region that owned it, whatever its cluster is joined to by now. The part of a trapped
+   * cluster that belonged to the reservoirs has just been cut off: it is a region of its
+   * own, without a mass yet. Points that have opened in a trapped cluster belong to the
+   * largest region in it, if there is one, or else to a new one. A region that is pressed
+   * shut keeps its points.
    */
   struct RegionsInGap
   {
-    /** The regions that are @p known own points; @p open_gap has the @p clusters, which
-     * tell those of trapped fluid apart. All must outlive this object. Collective. */
+    /** @p known: the regions of the state before, and which points they own; @p clusters:
+     *  those of @p open_gap, with clusters of trapped fluid told apart. All must outlive
+     *  this object. Collective. */
     RegionsInGap(const TrappedFluid &known,
                  const SlabField    &open_gap,
                  const Clusters     &clusters);
 
-    /** The mean of @p field over the widest points of each region: those that are open by
-     *  half of its largest gap, where the fluid's own pressure is known. Collective. */
-    std::vector<double> in_the_wide(const SlabField &field) const;
+    /** Return the mean of @p field over the widest points of each region: those whose gap
+     *  is at least half of its largest, where the fluid's own pressure is known.
+     *  Collective. */
+    std::vector<double> mean_over_widest_points(const SlabField &field) const;
 
-    /** What there is of trapped fluid in this gap. */
+    /** The trapped fluid of a state. */
     struct Settled
     {
       TrappedFluid fluid;
@@ -40,18 +43,19 @@ namespace strait
     };
 
     /**
-     * The regions of a state that has been found, where the regions have @p pressures.
-     * Splits share their mass by volume, mergers add it, what a reservoir has reached
-     * forgets it, and what was cut off fills its volume at its pressure. That is a guess
-     * without a past; else it has been cut off somewhere between the open gap
-     * @p gap_before and this one. @p contact_modulus is that of the walls. Collective.
+     * Return the regions of a state that has been found, with @p pressures in the regions
+     * on the way. Regions that split share their mass by volume, those that merge add it,
+     * those that a reservoir has reached lose it, and fluid just cut off fills its volume
+     * at its pressure. Without a past that is a guess; otherwise, it was cut off
+     * somewhere between the open gap @p gap_before and this one. @p contact_modulus is
+     * that of the walls. Collective.
      */
     Settled settle(const FeedbackParameters  &parameters,
                    const std::vector<double> &pressures,
                    double                     contact_modulus,
                    const SlabField           *gap_before) const;
 
-    /** Of a trapped cluster, what one owner had before. */
+    /** The part of a trapped cluster that one owner had before. */
     struct Part
     {
       double volume = 0.;
@@ -62,7 +66,7 @@ namespace strait
     struct Cluster
     {
       std::map<int, Part> parts;       // by owner
-      int                 region = -1; // of the largest region in it
+      int                 region = -1; // the largest one in it
     };
 
     const TrappedFluid              &known;
@@ -70,12 +74,13 @@ namespace strait
     const std::vector<std::int64_t> &labels;
     std::map<std::int64_t, Cluster>  trapped; // by label
 
-    /** Of each local grid point: a region, then those just cut off; −1: none. */
+    /** The region of each local grid point, −1 for none: numbers of known regions come
+     *  first, then those of regions just cut off. */
     std::vector<int> region_of_point;
 
-    /** Of each region of both kinds [length³]; 0: it is pressed shut. */
+    /** Volume of each region of both kinds [length³]; 0: it is pressed shut. */
     std::vector<double> volumes;
 
-    std::vector<double> widest; // the largest gap of each
+    std::vector<double> widest; // the largest gap of each region
   };
 } // namespace strait

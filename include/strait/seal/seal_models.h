@@ -12,13 +12,13 @@
 namespace strait
 {
   /**
-   * A seal whose contact and flow agree with each other: the fluid presses the walls
-   * apart, and the gap decides where the fluid goes. Contact is the dry problem for the
-   * wall that the fluid's pressure (FluidOnWall) has displaced, under the load that it
-   * leaves; the pressure of @p contact is that of the solid beyond the fluid's.
+   * A seal in which contact and flow agree: the fluid presses the walls apart, and the
+   * gap decides where the fluid goes. The contact is the dry problem for the wall that
+   * the fluid's pressure (FluidOnWall) has displaced, under the load that the fluid
+   * leaves; the pressure of @p contact is what the solid bears beyond the fluid's.
    *
-   * For a leak rate, contact and flow agree on finer and finer meshes, until what the
-   * last mesh changed and the width of a bracket on it are together as small as the
+   * For a leak rate, contact and flow agree on finer and finer meshes, until the change
+   * by the last mesh and the width of a bracket on it together are as small as the
    * accuracy that is asked for. The references must outlive the model.
    */
   SealModel coupled_seal(const Scene                  &scene,
@@ -28,13 +28,13 @@ namespace strait
                          Log                          &log);
 
   /**
-   * A @p seal whose throats are resolved: where a channel percolates, the state gets
-   * the windows that its throats lack, one level after the other, and is solved again.
-   * Where none does, so does the barrier where it is weakest, for on finer points it may
-   * be open. For a leak rate half of the digits are enough while windows are sought, the
-   * state that is returned has all of them. The state keeps those of the state that it
-   * came from, so that neighbouring states have the same points. The reference must
-   * outlive the model.
+   * A @p seal whose throats are resolved: where a channel percolates, the state gets the
+   * windows that its throats lack, level by level, and is solved again. Where none
+   * percolates, the weakest place of the barrier is treated alike, because it may be open
+   * on finer points. For a leak rate, windows are sought in less accurate states
+   * (Aim::throats); the state that is returned has the full accuracy. A state keeps the
+   * windows of the one that it is reached from, so that neighbouring states have the same
+   * points. The reference must outlive the model.
    */
   SealModel zoomed_seal(SealModel             seal,
                         const ZoomParameters &zoom,
@@ -42,10 +42,10 @@ namespace strait
                         Log                  &log);
 
   /**
-   * How much smaller than the target accuracy the width of the bracket is on the first
-   * mesh, and how much on each mesh than on the one before: the gap amplifies the errors
+   * Ratio of the bracket's width on the first mesh to the target accuracy, and on each
+   * further mesh to that on the one before. It is small because the gap amplifies errors
    * of the fluid's pressure, the more so the closer it is to the threshold. Half of it
-   * makes each mesh larger, double of it takes more meshes.
+   * makes each mesh larger; double of it takes more meshes.
    */
   constexpr double mesh_fraction = .25;
 } // namespace strait

@@ -16,12 +16,11 @@
 namespace strait
 {
   /**
-   * Finds where a seal begins or ceases to leak: the critical loads, and the inlet
-   * pressures that blow it out. All of them are transitions along a path of states, and
-   * each state is reached from the nearest one on the side that the path comes from. A
-   * search can be stopped after any state and go on later: it begins anew and is given
-   * the answers that it had, and as it asks the same again, it comes to where it was at
-   * once.
+   * Finds where a seal begins or ceases to leak: critical loads, blow-out pressures and
+   * re-sealing pressures. All of them are transitions along a path of states, and each
+   * state is reached from the nearest one on the side that the path comes from. A search
+   * can be stopped after any state and resumed: it begins anew with the stored answers,
+   * asks the same questions again, and so returns at once to where it was.
    */
   class SealSearch
   {
@@ -37,33 +36,35 @@ namespace strait
     /** Called after every new answer, when the state may be saved; may throw to stop. */
     std::function<void()> after_probe = []() {};
 
-    /** The critical load of every slip length: the largest at which a channel percolates,
-     *  sought from @p first on. Collective. Throws ComputationError if there is none. */
+    /** Find the critical load of every slip length: the largest at which a channel
+     *  percolates, sought from @p first on. Collective. Throws ComputationError if there
+     *  is none. */
     std::vector<Transition> find_critical_loads(const SearchStart &first);
 
-    /** The blow-out pressure of every load of the programme, and the re-sealing pressure
-     *  if the scene asks for it. Collective. */
+    /** Find the blow-out pressure of every load of the programme, and the re-sealing
+     *  pressure if the scene asks for it. Collective. */
     std::vector<BlowOut> find_blow_outs();
 
-    /** Where a path in load begins that is to meet the critical load: the nearest state
-     *  on the side that the scene's path comes from, which is given away. */
+    /** Give away the state from which a path in load must begin to meet the critical
+     *  load: the nearest one on the side that the scene's path comes from. */
     std::optional<SealState>
     take_state()
     {
       return std::exchange(place_of(side_of_path), std::nullopt);
     }
 
-    /** The answers so far and the states that the next ones start from. Collective. */
+    /** Put the answers so far, and the states that the next ones start from, in an
+     *  archive, or take them out. Collective. */
     void transfer(StateArchive &archive);
 
-    /** Whether answers are left that an earlier search had got. */
+    /** Whether stored answers of an earlier search are left to repeat. */
     bool
-    repeats() const
+    is_replaying() const
     {
       return next < answers.size();
     }
 
-    /** How many states were asked for. */
+    /** The number of states that were asked for. */
     std::size_t
     n_probes() const
     {
@@ -71,20 +72,20 @@ namespace strait
     }
 
   private:
-    /** Which side of a transition states are reached from. */
+    /** The side of a transition that states are reached from. */
     enum class Side
     {
       open,
       sealed
     };
 
-    Passage                   enclose(TransitionSearch  &search,
+    EnclosingPair             enclose(TransitionSearch  &search,
                                       const SearchStart &first,
                                       double             level,
                                       Side               side) const;
     BlowOut                   blow_out(double load);
     Transition                between(const TransitionSearch &search,
-                                      const Passage          &passage,
+                                      const EnclosingPair    &passage,
                                       std::size_t             begin) const;
     Probe                     ask(const Control &control, Side path_comes_from);
     Probe                     probe(const Control &control, Side path_comes_from);
@@ -96,11 +97,11 @@ namespace strait
     const SlabLayoutPtr layout;
     const FlowDomain    domain;
     Log                &log;
-    const Side          side_of_path; // in load
+    const Side          side_of_path; // of a path in load
 
-    // The nearest states on either side; where no path matters, one, the last.
+    // The nearest state on either side; where no path matters, only the last one.
     std::optional<SealState> open_state, sealed_state;
-    std::vector<Probe>       answers; // in their order
+    std::vector<Probe>       answers; // in the order of the questions
     std::size_t              next = 0;
   };
 } // namespace strait

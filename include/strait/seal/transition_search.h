@@ -16,19 +16,19 @@ namespace strait
   /** What one state tells about percolation. */
   struct Probe
   {
-    /** > 0: it leaks, and this is the gap of the bottleneck; else how firmly it is
-     * closed, likewise as a length. */
+    /** If positive, the gap of the bottleneck; else how firmly it is closed, likewise as
+     *  a length. The seal leaks above the level of the search, 0 without slip. */
     double                openness     = 0.;
     double                contact_area = 0.;
     std::array<double, 2> bottleneck   = {{0., 0.}}; // its place [length]
     double                points       = 0.; // along the throat there, if it is open
     long                  fft_pairs    = 0;
-    bool                  converged    = true;  // the solvers that it took
-    bool                  is_parted    = false; // adhesive walls are, and leave no state
+    bool                  converged    = true;  // all solvers did
+    bool                  is_parted    = false; // adhesive walls parted: no state is left
   };
 
-  /** Between two values of what varies along a path, a load or a pressure. */
-  struct Passage
+  /** Two values of what varies on a path, a load or a pressure, around a transition. */
+  struct EnclosingPair
   {
     double before; // nearer to where the path comes from
     double beyond;
@@ -39,10 +39,10 @@ namespace strait
   {
     double value;
 
-    /** To the next value if both are on one side, relative to the first. */
+    /** The step to the next value if both are on one side, relative to the first. */
     double step = .2;
 
-    /** All values are below it, but for the first, which it may be. */
+    /** All values are below it, except the first, which may be equal. */
     double end = std::numeric_limits<double>::infinity();
   };
 
@@ -50,7 +50,7 @@ namespace strait
   struct Transition
   {
     double slip_length = 0.;
-    // With hysteresis these are on the path that the search follows.
+    // With hysteresis, those on the path that the search follows.
     double                lower        = 0.;
     double                upper        = 0.;
     double                contact_area = 0.;         // at lower
@@ -59,8 +59,7 @@ namespace strait
     long                  fft_pairs    = 0;          // of those
     bool                  converged    = true;       // the states at both ends
 
-    /** How far from it, relative, finer grid points may have it; not a number where that
-     *  is not known. */
+    /** By how much, relative, a finer grid may shift it; not a number where unknown. */
     double grid_error = std::numeric_limits<double>::quiet_NaN();
 
     double
@@ -90,26 +89,26 @@ namespace strait
   struct BlowOut
   {
     double                    load = 0.;
-    Transition                opening; // 0 where it leaks without any pressure
-    std::optional<Transition> closing; // if it was sought; 0 where it never closes
+    Transition                opening; // at the outlet pressure where it leaks by itself
+    std::optional<Transition> closing; // if sought; likewise where it never closes
   };
 
   /**
-   * Encloses the value at which a seal that is asked for one value after the other begins
-   * or ceases to leak. Knows nothing of what varies.
+   * Encloses the value at which a seal begins or ceases to leak, by asking one value
+   * after the other. Knows nothing of what varies.
    *
-   * Where only the value counts, the openness v falls with it and changes its sign at the
+   * Without hysteresis, the openness v falls with the value and changes its sign at the
    * transition. On the open side it is the gap of a constriction, which vanishes as
-   * (1 − L/L_c)^(6/5) with the load L, on the sealed side a contact pressure, which was
-   * found to grow as (L/L_c − 1)^0.63. As long as all answers are on one side, a power
-   * law through two of them foretells the transition; a third one tells its exponent,
-   * which is 1 within a grid spacing of closing. Once it is enclosed, the root of v^(5/6)
-   * is sought by the method of Alefeld, Potra and Shi (ACM Trans. Math. Softw. 21, 1995).
-   * Every value that was asked serves later searches at other levels of the openness.
+   * (1 − L/L_c)^(6/5) with the load L; on the sealed side it is a contact pressure, which
+   * was found to grow as (L/L_c − 1)^0.63. As long as all answers are on one side, a
+   * power law through two of them predicts the transition; a third one gives its
+   * exponent, which is 1 within a grid spacing of closing. Once the transition is
+   * enclosed, the root of v^(5/6) is sought by the method of Alefeld, Potra and Shi (ACM
+   * Trans. Math. Softw. 21, 1995). Every answer serves later searches at other levels of
+   * the openness.
    *
-   * Where it counts as well what the seal was before, steps matter: a state that a small
-   * step keeps may be lost by a large one. Then the transition is where small steps along
-   * the path lose the state.
+   * With hysteresis, steps matter: a large one may lose a state that a small one keeps.
+   * Then the transition is where small steps along the path lose the state.
    */
   class TransitionSearch
   {
@@ -118,50 +117,53 @@ namespace strait
     using Kept = std::function<bool(const Probe &)>;
     using Name = std::function<std::string(double value)>;
 
-    /** Of a usual load or pressure: what leaks with so little leaks by itself, and what
-     *  does not change its mind between that and as many times more never does. Half and
-     *  double of it judge alike, as neither bends the walls. */
+    /** Fraction of a usual load or pressure that counts as zero: a seal that leaks under
+     *  it leaks under none, and one whose answer is the same at this fraction and at its
+     *  inverse has no transition. Half and double of it give the same answers, as neither
+     *  bends the walls. */
     static constexpr double negligible = 1e-6;
 
-    /** @p tolerance: relative width of the bracket to reach; @p name: what messages call
-     *  a value. */
+    /** @p tolerance: relative width to which a transition is enclosed; @p name: what
+     *  messages call a value. */
     TransitionSearch(Ask ask, double tolerance, Name name = to_text);
 
     /**
      * Enclose the value above which the openness is no more than @p level, beginning with
      * @p first. Throws ComputationError if no value within a factor of 10⁶ of the first,
-     * and below its end, brackets it. Collective if asking is.
+     * and below its end, is on the other side. Collective if asking is.
      */
-    Passage enclose(SearchStart first, double level);
+    EnclosingPair enclose(SearchStart first, double level);
 
     /**
-     * The same where the openness is known the better the nearer to the transition it is
-     * asked for: both ends are asked again until they keep their sides. Answers that
+     * The same for an openness that is more accurate if asked for nearer to the
+     * transition: both ends are asked again until they keep their sides. Answers that
      * contradict a later one are forgotten.
      */
-    Passage enclose_surely(SearchStart first, double level);
+    EnclosingPair enclose_surely(SearchStart first, double level);
 
     /**
-     * Enclose where the state that is there at @p kept is lost, in steps that grow from
-     * @p step, which is negative on the way to smaller values. If it is known to be lost
-     * in one step to @p lost, that comes first, and small steps go on beyond it if they
-     * keep the state. @p is_kept judges a probe. Nothing if the state is not lost within
-     * a factor of 10⁶. Collective if asking is.
+     * Enclose where the state that exists at @p kept is lost, in steps that double from
+     * @p step, which is negative towards smaller values. If it is known to be lost in one
+     * step to @p lost, the search begins between both, and small steps go on beyond if
+     * they keep the state there. @p is_kept judges a probe. Returns nothing if the state
+     * is not lost within a factor of 10⁶. Collective if asking is.
      */
-    std::optional<Passage>
-    leave(double kept, double step, const Kept &is_kept, double lost = unknown);
+    std::optional<EnclosingPair>
+    enclose_loss(double kept, double step, const Kept &is_kept, double lost = unknown);
 
     /**
-     * How far from @p transition, relative, half a grid spacing is left along the throat,
-     * by the law above and as lengths go with the root of the gap; not a number if no
-     * throat is known. Nearer to it than that the grid cannot tell whether the throat is
-     * open: it hangs on where that lies between the points, so that the law is taken from
-     * the last value that has more. If none was asked at that has, some are if that
-     * @p may_ask, farther and farther from the transition. Of 48 critical loads of random
-     * surfaces none was off by more, with half of the length 14. Collective if asking is.
+     * Return the relative distance from @p transition at which half a grid spacing is
+     * left along the throat, by the law above and with lengths proportional to the root
+     * of the gap; not a number if no throat is known. Any nearer, the grid cannot tell
+     * whether the throat is open: that depends on where it lies between the points. The
+     * law is therefore taken from the last value with a longer throat. If no such value
+     * was asked and it @p may_ask, ever farther ones are tried. Of 48 critical loads of
+     * random surfaces none was off by more; with half of the length, 14 were. Collective
+     * if asking is.
      */
-    double
-    unresolved_distance(const Passage &transition, double level, bool may_ask = true);
+    double unresolved_distance(const EnclosingPair &transition,
+                               double               level,
+                               bool                 may_ask = true);
 
     /** Ask at one value. Collective if asking is. */
     const Probe &ask_at(double value);
@@ -180,6 +182,6 @@ namespace strait
     double                  tolerance;
     Name                    name;
     std::map<double, Probe> asked;
-    double                  latest = unknown; // that was asked
+    double                  latest = unknown; // the value asked last
   };
 } // namespace strait

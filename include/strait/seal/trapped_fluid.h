@@ -7,20 +7,20 @@
 
 namespace strait
 {
-  /** A region of fluid that no reservoir reaches. Its mass is told by a volume that it
-   *  fills at a pressure. */
+  /** A region of fluid that no reservoir reaches. Its mass is given by a volume and the
+   *  pressure at which it fills that. */
   struct TrappedRegion
   {
     double volume     = 0.;    // [length³]
     double pressure   = 0.;    // at which it fills that
-    double compliance = 0.;    // about dV/dp of the walls around it
+    double compliance = 0.;    // estimate of dV/dp of the walls around it
     bool   is_guess   = false; // it was there before the path began, its mass unknown
   };
 
   /** The fluid that a path has cut off from its reservoirs so far. */
   struct TrappedFluid
   {
-    /** Instead of a region's number: of contact, and of fluid that is not trapped. */
+    /** In place of a region's number: contact, and fluid that is not trapped. */
     static constexpr int no_fluid = -1, reservoirs = -2;
 
     std::vector<float> owner; // of each local grid point: a region's number, or these
@@ -30,8 +30,8 @@ namespace strait
     double guessed_area = 0.; // of those whose mass was unknown
     double pressure     = 0.; // mean over their area
 
-    /** By how much the mean pressure on the walls might differ, as nobody knows when in
-     *  the last step fluid was cut off. */
+    /** By how much the mean pressure on the walls may be off, as it is not known when,
+     *  within the last step, fluid was cut off. */
     double uncertainty = 0.;
   };
 
@@ -41,9 +41,9 @@ namespace strait
                    double                    pressure);
 
   /**
-   * The pressure at which @p region holds its fluid if it has the volume @p volume under
-   * @p pressure and widens by its compliance with every unit of pressure; no less than
-   * that of vapour.
+   * Return the pressure at which @p region holds its fluid, if its volume is @p volume
+   * under @p pressure and grows by its compliance per unit of pressure; no less than that
+   * of vapour, or than 0 for a gas.
    */
   double pressure_to_hold(const FeedbackParameters &parameters,
                           const TrappedRegion      &region,

@@ -11,7 +11,7 @@
 
 namespace strait
 {
-  /** What one round of contact and flow makes of an assumed fluid pressure. */
+  /** The result of one round of contact and flow under an assumed fluid pressure. */
   struct FeedbackRound
   {
     bool      percolates = false; // in the gap under the assumed pressure
@@ -23,18 +23,18 @@ namespace strait
   struct FeedbackGoal
   {
     double tolerance;       // of the change of the fluid pressure, as FeedbackParameters'
-    double leak_tolerance;  // of that of the leak rate, relative; infinite: any will do
-    bool   goes_on = false; // the iteration before, with a map that has changed a little
+    double leak_tolerance;  // of the relative change of the leak rate; infinite: any
+    bool continues = false; // continue the iteration before, with a slightly changed map
 
-    /** The same for both changes of plain rounds while the channel is open, if that is
-     * all one wants to know; else 0. */
+    /** Tolerance of both changes, in units of the relaxation, that is enough while the
+     *  channel is open, if that is all one wants to know; else 0. */
     double once_open = 0.;
 
-    /** Whether the channel has to percolate, if only such a state or only one without is
-     * wanted: the first round with another verdict is the last one. */
+    /** Whether the channel has to percolate, if only states with this verdict are wanted:
+     *  the first round with the other one ends the iteration. */
     std::optional<bool> verdict = {};
 
-    /** No guess may have a larger mean pressure, such as the load. */
+    /** Limit of the mean pressure of a combination of rounds, such as the load. */
     double largest_mean = std::numeric_limits<double>::infinity();
 
     /** Whether it is enough to know if the channel leaks. */
@@ -50,11 +50,11 @@ namespace strait
   {
     int    iterations = 0;  // rounds
     double change     = 0;  // of the fluid pressure in the last round, see Tolerance;
-                            // where a gap stays ajar of a mixture of the last rounds
-    double leak_change = 0; // of the leak rate in these, relative
+                            // of a mixture of rounds where a gap stays ajar
+    double leak_change = 0; // of the leak rate in these rounds, relative
     bool   converged   = false;
 
-    /** Whether these changes are as small as that. */
+    /** Whether both changes are within the tolerances of @p goal. */
     bool
     agrees_within(const FeedbackGoal &goal) const
     {
@@ -63,36 +63,38 @@ namespace strait
   };
 
   /**
-   * Finds the fluid pressure that contact and flow agree on: that under which the gap
-   * is such that the fluid has this pressure.
+   * Finds the fluid pressure on which contact and flow agree: the one that opens a gap in
+   * which the fluid has this very pressure.
    *
-   * The first 30 rounds combine those before (FixedPoint), the next ones do not, unless
-   * only one verdict is wanted. Where the verdict on percolation changes the map has
-   * jumped: rounds begin again, with half the fraction. So steps become smaller where a
-   * channel opens and closes or a gap is ajar, until they stay in one place
-   * (stays_in_place()). Where they go in a circle instead, closed as long as the fluid
-   * comes nearer and open until the pressure has fallen, no closed state is met on the
-   * way: if only the verdict is asked for, the channel leaks.
+   * The first 30 rounds combine the ones before (FixedPoint); later ones do not, unless
+   * only one verdict is wanted. Where the verdict on percolation changes, the map has
+   * jumped: earlier rounds are forgotten and the fraction is halved. Steps thus become
+   * smaller where a channel opens and closes in turn, or where a gap stays ajar and
+   * regulates its flow, until they stay in one place (stays_in_place()). Rounds may go in
+   * a cycle instead: a closed channel fills until it opens, and stays open until the
+   * pressure has fallen. As no closed state is met on the way, the channel leaks if only
+   * the verdict is asked for.
    */
   class WallFeedback
   {
   public:
     using Round = std::function<FeedbackRound(const SlabField &assumed)>;
 
-    /** @p fraction: of what relaxation takes of a change, the part that is taken. */
+    /** @p fraction: factor of the relaxation in @p parameters. */
     WallFeedback(const FeedbackParameters &parameters,
                  const SlabLayoutPtr      &layout,
                  double                    fraction = 1.);
 
     /**
-     * Iterate from pressure() on. The last call of @p round is for the pressure()
-     * that is left. Changes are measured by @p largest_pressure, that of a reservoir or
-     * the load, or by that of the fluid on the walls (rms) if that is more. Collective.
+     * Iterate from pressure() on. Unless the rounds are used up, the last call of
+     * @p round is for the pressure() that is left. Changes are relative to
+     * @p largest_pressure, that of a reservoir or the load, or to the rms pressure of the
+     * fluid on the walls if that is larger. Collective.
      */
     FeedbackResult
     solve(const Round &round, double largest_pressure, const FeedbackGoal &goal);
 
-    /** The pressure that is assumed, on the grid; a start for solve(). */
+    /** The assumed pressure on the grid; the start of solve(). */
     SlabField &
     pressure()
     {
@@ -100,11 +102,11 @@ namespace strait
     }
 
   private:
-    // What the rounds of relaxation did since one of them.
+    // The rounds that have stayed in one place so far.
     struct Walk
     {
-      SlabField start;   // assumed then; empty: it has not begun
-      SlabField mixture; // of the changes, the smallest
+      SlabField start;   // assumed in the first one; empty: none yet
+      SlabField mixture; // the smallest one of their changes
       double    least_leak = 0;
       double    most_leak  = 0;
     };

@@ -10,34 +10,34 @@
 namespace strait
 {
   /**
-   * Windows that are moved, joined and added to until they lie as ZoomWindow asks: within
-   * their parents, and apart from each other. They have places that do not depend on
-   * their parents, which are found anew.
+   * A set of windows that are added, moved and joined such that they lie as ZoomWindow
+   * asks: within their parents, and apart from each other. Each has a place that does not
+   * depend on its parent; parents are found anew in the end.
    */
   class WindowArrangement
   {
   public:
-    /** Of the windows of @p layout, which must outlive this object; those that are not
-     *  used make room for others. */
+    /** Begin with the windows of @p layout, which must outlive this object. Those that
+     *  are not used (@p is_used) make room for others. */
     WindowArrangement(const SlabLayout &layout, const std::vector<bool> &is_used);
 
-    /** The level of the coarsest window whose rim is too near to @p point of the layout,
-     *  for @p points of its level are to lie between, and a margin around each window in
-     *  its parent; 0 if there is none. */
-    int narrow_level(GridPoint point, double points) const;
+    /** Return the level of the coarsest window whose rim is too near to @p point of the
+     *  layout, 0 if there is none. Between point and rim there must be @p points of the
+     *  point's level, and a margin around each window in its parent. */
+    int level_with_close_rim(GridPoint point, double points) const;
 
-    /** Add a window of @p level around @p centre, a point of the layout. Returns whether
-     *  there is room for it and it was not there. */
+    /** Add a window of @p level around @p centre, a point of the layout. Returns false if
+     *  there is no room for it or if it was there already. */
     bool open(int level, const GridPoint &centre);
 
-    /** All that have a parent to lie in. */
+    /** Return all windows that have a parent to lie in. */
     std::vector<ZoomWindow> windows();
 
   private:
     using Place = std::array<long, 2>; // x and y
 
-    /** A window by its place on the lattice that the points of its parent's level would
-     *  make of the whole box. */
+    /** A window, by its place on the lattice that the points of its parent's level would
+     *  form in the whole box. */
     struct Placed
     {
       int                level;

@@ -5,12 +5,10 @@
 
 namespace strait
 {
-  /**
-   * Find the values of the windows of @p field from those at the grid points, by its
-   * Fourier series: exact for what the grid resolves. Collective.
-   */
+  /** Compute the values in the windows of @p field from those at the grid points, by the
+   *  Fourier series of these: exact for all waves that the grid resolves. Collective. */
   void fill_windows(SlabField &field);
 
-  /** Give each point that a window covers the value of the window's point that it is. */
+  /** Give each point that a window covers the value of the window's coinciding point. */
   void copy_to_covered(SlabField &field);
 } // namespace strait

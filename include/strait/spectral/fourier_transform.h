@@ -11,26 +11,26 @@
 namespace strait
 {
   /**
-   * The real-to-complex Fourier transform of slab fields and multiplication by a
-   * real symbol between the transform and its inverse.
+   * The real-to-complex Fourier transform of slab fields, and multiplication by a real
+   * symbol between the transform and its inverse.
    *
-   * Convention: f(r) = Σ_q f~(q) exp(i q·r) with q = (2π kx/lx, 2π ky/ly) and
-   * integer kx, ky in (-n/2, n/2]. Only kx >= 0 is stored; a mode with
-   * 0 < kx < nx/2 stands for itself and its mirror image and has weight 2.
+   * Convention: f(r) = Σ_q f~(q) exp(i q·r) with q = (2π kx/lx, 2π ky/ly) and integer kx,
+   * ky in (-n/2, n/2]. Only kx >= 0 is stored; a mode with 0 < kx < nx/2 stands for
+   * itself and its mirror image and has weight 2.
    *
-   * Rows are transformed where they are. Then a few columns at a time are collected
-   * from all ranks, transformed, multiplied, transformed back and returned, so that
-   * the spectrum is never stored as a whole and the field passes through memory three
-   * times. One-dimensional transforms are FFTW's, by the plan that its cost model
-   * prefers: that depends on the length alone, where plans chosen by measurement, and
-   * with them the last digits, would depend on what else the machine is doing. The
-   * spectrum of a field is the same to the last bit on any number of ranks. A
-   * transform makes FFTW forget the wisdom of the process, for the same reason.
+   * Each rank transforms its own rows. Then a few columns at a time are collected from
+   * all ranks, transformed, multiplied, transformed back and returned, so that the
+   * spectrum is never stored as a whole and the field passes through memory three times.
+   * The spectrum of a field is the same to the last bit on any number of ranks.
    *
-   * The buffer, one @p Number a grid point, is lent out as scratch memory between
-   * transforms, and freed on request until it is needed again. @p Number is double or,
-   * for what need not be more than seven digits, float: half the memory, and six tenths
-   * of the time.
+   * One-dimensional transforms are FFTW's, with plans that its cost model prefers, as
+   * these depend on the length alone. Plans chosen by measurement, and with them the last
+   * digits, would depend on what else the machine is doing. For the same reason the
+   * constructor makes FFTW forget the wisdom of the process.
+   *
+   * The buffer, about one @p Number per grid point, is lent out as scratch memory between
+   * transforms, and can be freed until it is needed again. @p Number is double or, where
+   * seven digits are enough, float: half the memory and six tenths of the time.
    */
   template <class Number>
   class BasicFourierTransform
@@ -60,10 +60,10 @@ namespace strait
     }
 
     /**
-     * out = F⁻¹[ symbol(kx, |ky|) F[in] ]; @p in and @p out may be the same, and either
-     * may be scratch().
-     * @return the local part of Σ_q symbol |f~|², that is of the grid mean of
-     * in·out, by Parseval. Collective; one FFT pair.
+     * Compute out = F⁻¹[ symbol(kx, |ky|) F[in] ]; @p in and @p out may be the same, and
+     * either may be scratch(). Collective; one FFT pair.
+     * @return the local part of Σ_q symbol |f~|², a sum that by Parseval is the grid mean
+     * of in·out.
      */
     template <class Symbol>
     double
@@ -127,17 +127,18 @@ namespace strait
   private:
     struct Parts;
 
-    /** The modes of the rows, for which there is room from now on. */
+    /** The modes of the rows; allocates the buffer if it is not there. */
     Complex *buffer();
 
     /** Transform the rows of @p in along x, into the buffer. */
     void load_rows(const Number *in);
 
-    /** Transform the rows of the buffer back along x, into @p out; they are lost. */
+    /** Transform the rows of the buffer back along x, into @p out; the modes are lost. */
     void store_rows(Number *out);
 
-    /** Call visit(kx, modes) for each of this rank's columns, with its ny modes: those of
-     *  the rows if @p are_read, and given back to these if @p are_written. Collective. */
+    /** Call visit(kx, modes) for each column of this rank, with its ny modes. If
+     *  @p are_read, these are transformed from the rows; if @p are_written, back into the
+     *  rows. Collective. */
     void for_each_column(bool                                       are_read,
                          bool                                       are_written,
                          const std::function<void(int, Complex *)> &visit);
@@ -155,7 +156,7 @@ namespace strait
       return 2 * i <= n ? i : i - n;
     }
 
-    /** Multiply the modes of column @p kx, and return Σ factor |f~|². */
+    /** Multiply column @p kx by scale·symbol; return Σ scale symbol |mode|². */
     template <class Symbol>
     double
     multiply_column(Complex      *values,
@@ -169,7 +170,7 @@ namespace strait
       for (int i = 1; 2 * i < ny; ++i)
         factors[2 * (ny - i)] = factors[2 * (ny - i) + 1] = factors[2 * i];
       const Number *factor  = factors.data();
-      Number       *part    = reinterpret_cast<Number *>(values); // real or imaginary
+      Number       *part    = reinterpret_cast<Number *>(values); // real, imaginary
       double        product = 0;
 #pragma omp simd reduction(+ : product)
       for (int i = 0; i < 2 * ny; ++i)
@@ -182,7 +183,7 @@ namespace strait
 
     SlabLayoutPtr          slab_layout;
     std::unique_ptr<Parts> parts;
-    std::vector<Number>    factors; // of the modes of a column
+    std::vector<Number>    factors; // of the real and imaginary parts of a column
     long                   pairs = 0;
   };
 

@@ -65,7 +65,7 @@ namespace strait
     int i        = 0;
     int j        = 0;
 
-    /** Of the four that it can be divided into, row by row. */
+    /** The child @p number of the four into which the cell can be divided, row by row. */
     GridCell
     child(const int number) const
     {
@@ -73,8 +73,8 @@ namespace strait
     }
   };
 
-  /** A grid point; along the flow, index n stands for the outlet's copy of 0. Or a point
-   *  of a window. */
+  /** A point of the grid or of a window. On the grid, index n along the flow stands for
+   *  the outlet's copy of index 0. */
   struct GridPoint
   {
     int ix     = 0;

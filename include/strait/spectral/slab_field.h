@@ -21,7 +21,7 @@ namespace strait
   class SlabField : private std::vector<double>
   {
   public:
-    // Of the local values, those of windows included.
+    // Access to the local values, including those of windows.
     using std::vector<double>::begin;
     using std::vector<double>::end;
     using std::vector<double>::data;
@@ -78,7 +78,7 @@ namespace strait
     SlabLayoutPtr slab_layout;
   };
 
-  /** Mean over the box of what @p function makes of the values. Collective. */
+  /** Mean over the box of @p function of the values. Collective. */
   template <class Function>
   double
   mean_of(const SlabField &field, const Function &function)
@@ -105,7 +105,7 @@ namespace strait
   double
   local_product(const Number *a, const Number *b, const std::size_t n)
   {
-    // Each addition waits for the one before, unless there are several sums.
+    // With a single sum each addition would wait for the one before.
     double            sums[8]    = {};
     const std::size_t n_together = n - n % std::size(sums);
     for (std::size_t k = 0; k < n_together; k += std::size(sums))
@@ -116,8 +116,9 @@ namespace strait
     return std::accumulate(std::begin(sums), std::end(sums), 0.);
   }
 
-  /** Σ a b over the points of @p layout, each as much as the area that it stands for is
-   *  of a grid point's, of any values that are laid out like that. Collective. */
+  /** Σ a b over the points of @p layout, each weighted by the area that it stands for
+   *  over that of a grid point. The values may be any that are arranged like this
+   *  layout's. Collective. */
   template <typename Values>
   double
   product(const SlabLayout &layout, const Values &a, const Values &b)
@@ -143,13 +144,11 @@ namespace strait
   /** Largest value. Collective. */
   double max_value(const SlabField &field);
 
-  /**
-   * Collective: the rows @p rows of the grid (global numbers, any order, taken modulo ny)
-   * of @p field, one after the other. Each rank may ask for other rows.
-   */
+  /** Return the rows @p rows of the grid (global numbers, any order, taken modulo ny) of
+   *  @p field, one after the other. Each rank may ask for other rows. Collective. */
   std::vector<double> fetch_rows(const SlabField &field, const std::vector<int> &rows);
 
-  /** The same of any array of @p row_length numbers a row, laid out like @p layout. */
+  /** The same for any array of @p row_length numbers per row, arranged like @p layout. */
   template <class Number>
   std::vector<Number>
   fetch_rows(const SlabLayout       &layout,
@@ -170,7 +169,7 @@ namespace strait
         wanted.push_back(wrapped(k));
         ++n_wanted[layout.owner_of_row(wrapped(k))];
       }
-    const Parcels<int> asked = exchange(layout.communicator(), wanted, n_wanted);
+    const ReceivedItems<int> asked = exchange(layout.communicator(), wanted, n_wanted);
 
     const auto          length = static_cast<std::size_t>(row_length);
     std::vector<Number> outgoing(asked.items.size() * length);
@@ -189,8 +188,9 @@ namespace strait
     return result;
   }
 
-  /** The adjoint: add row k of @p values to the row rows[k], which is not negative, of
-   * the rank that owns it, one rank after the other. Collective. */
+  /** The adjoint of fetch_rows(): add row k of @p values to the row rows[k] >= 0, taken
+   *  modulo ny, in the @p local_rows of the rank that owns it, one rank after the other.
+   *  Collective. */
   template <class Number>
   void
   add_rows(const SlabLayout          &layout,
@@ -205,7 +205,7 @@ namespace strait
       for (std::size_t k = 0; k < rows.size(); ++k)
         if (const int row = rows[k] % layout.grid().ny; layout.owner_of_row(row) == rank)
           {
-            // Each row behind its number.
+            // Each row follows its number.
             outgoing.push_back(static_cast<Number>(row));
             outgoing.insert(outgoing.end(), &values[k * nx], &values[k * nx] + nx);
             ++n_outgoing[rank];
@@ -220,10 +220,11 @@ namespace strait
       }
   }
 
-  /** Collective: the whole grid of a field on rank 0 (empty elsewhere), row by row. */
+  /** Return the whole grid of a field on rank 0 (empty elsewhere), row by row.
+   *  Collective. */
   std::vector<double> gather_on_root(const SlabField &field);
 
-  /** Collective: distribute a whole field that rank 0 holds, row by row. */
+  /** Distribute a whole field that rank 0 holds, row by row. Collective. */
   SlabField scatter_from_root(const SlabLayoutPtr       &layout,
                               const std::vector<double> &whole);
 
@@ -241,7 +242,8 @@ namespace strait
     return field;
   }
 
-  /** This rank's rows of the grid, with some before and after them, and its windows. */
+  /** This rank's rows of a field, with `reach` rows before and after them, and its
+   *  windows. */
   class RowsAround
   {
   public:
@@ -258,7 +260,7 @@ namespace strait
       neighbours = fetch_rows(field, wanted);
     }
 
-    /** @p row counts this rank's rows: −reach <= @p row < their number + reach. */
+    /** Row @p row, counted from this rank's first: −reach <= @p row < n_rows + reach. */
     const double *
     operator[](const int row) const
     {
@@ -269,8 +271,8 @@ namespace strait
                              : field.data() + row * nx;
     }
 
-    /** The value at a point no further than the reach from one of this rank; not a number
-     * outside of a window. */
+    /** The value at a point that is at most `reach` away from one of this rank; NaN
+     *  outside of its window. */
     double
     at(const GridPoint &point) const
     {

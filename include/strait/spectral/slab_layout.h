@@ -15,28 +15,29 @@
 namespace strait
 {
   /**
-   * A rectangle in which a field is also known on points that lie three times as densely
-   * each way as those of its parent, the periodic grid or another window. It covers
-   * nx × ny points of the parent, and tiles what these stand for: it has 3 nx × 3 ny
-   * points, of which point (3 a + 1, 3 b + 1) is point (x + a, y + b) of the parent.
+   * A rectangle in which a field is also known at finer points, three times as dense in
+   * each direction as those of its parent, which is the periodic grid or another window.
+   * It covers nx × ny points of the parent and has 3 nx × 3 ny points, which fill the
+   * area that those stand for: point (3 a + 1, 3 b + 1) is point (x + a, y + b) of the
+   * parent.
    *
-   * A window of the grid may cross the periodic seam; one of a window lies inside of it
-   * with at least `margin` points to spare on all sides. Windows of one parent do not
-   * overlap, and have at least one point of the parent between them.
+   * A window in the grid may cross the periodic seam; one in a window keeps at least
+   * `margin` of the parent's points from each side. Windows of one parent do not overlap,
+   * and have at least one point of the parent between them.
    */
   struct ZoomWindow
   {
-    /** The parent's points that an interpolation into the window needs around it. Half of
-     *  it shifts the critical load of the square saddle, refined threefold from 128
-     *  points, by 3e-5, double of it asks more of the parent without need. */
+    /** Number of the parent's points around the window that interpolation into it needs.
+     *  Half of it shifts the critical load of the square saddle, refined threefold from
+     *  128 points, by 3e-5; double of it asks more of the parent without need. */
     static constexpr int margin = 4;
 
     int parent = -1; // number of the window in which it lies; −1: the grid
     int level  = 1;  // how often the grid's spacing was divided by three
     int x      = 0;  // column of the first of the parent's points that it covers
-    int y      = 0;  // row of the same
+    int y      = 0;  // row of that point
     int nx     = 0;  // how many of the parent's columns it covers
-    int ny     = 0;  // how many of the rows
+    int ny     = 0;  // how many of the parent's rows
 
     int
     n_columns() const
@@ -58,16 +59,14 @@ namespace strait
     }
   };
 
-  /**
-   * How the rows (constant y) of a periodic grid are dealt out to the ranks:
-   * contiguous blocks that ascend with the rank, all of the same number of rows but
-   * the last ones, which have fewer or none. There may be windows of finer points as
-   * well, which all ranks hold.
-   */
+  /** The distribution of the rows (constant y) of a periodic grid among the ranks:
+   *  contiguous blocks in the order of the ranks, all with the same number of rows except
+   *  the last ones, which have fewer or none. All ranks hold the windows of finer points,
+   *  if there are any. */
   class SlabLayout
   {
   public:
-    /** Windows come after their parents. */
+    /** Each of the @p windows comes after its parent. */
     SlabLayout(const PeriodicGrid     &grid,
                MPI_Comm                communicator,
                std::vector<ZoomWindow> windows = {});
@@ -96,7 +95,7 @@ namespace strait
       return number_of_ranks;
     }
 
-    /** First row of this rank, and how many it has. */
+    /** First row of this rank, and its number of rows. */
     int
     first_row() const
     {
@@ -109,18 +108,18 @@ namespace strait
       return first_row_of(my_rank + 1) - first_row_of(my_rank);
     }
 
-    /** First row of @p rank; of the number of ranks, the number of rows. */
+    /** First row of @p rank; ny if @p rank is n_ranks(). */
     int
     first_row_of(const int rank) const
     {
-      return std::min(rank * n_rows_most, periodic_grid.ny);
+      return std::min(rank * most_rows_per_rank, periodic_grid.ny);
     }
 
     /** The rank that owns row @p row, 0 <= row < ny. */
     int
     owner_of_row(const int row) const
     {
-      return row / n_rows_most;
+      return row / most_rows_per_rank;
     }
 
     /** Number of grid points of this rank, without windows. */
@@ -145,16 +144,16 @@ namespace strait
       return starts_of_windows.back();
     }
 
-    /** Position of the first value of window @p w among those of this rank; for the
-     *  number of windows, n_values(). */
+    /** Position of the first value of window @p w among those of this rank; n_values() if
+     *  @p w is the number of windows. */
     std::size_t
     start_of_window(const int w) const
     {
       return starts_of_windows[w];
     }
 
-    /** Where among the values of this rank that at @p point is, whose column and row
-     *  count modulo those of the grid; n_values() if it is another rank's. */
+    /** Position of the value at @p point among those of this rank, or n_values() if
+     *  another rank owns it. Column and row of a grid point count modulo nx and ny. */
     std::size_t
     index_of(const GridPoint &point) const
     {
@@ -170,47 +169,47 @@ namespace strait
                    point.ix % periodic_grid.nx;
     }
 
-    /** Call visit(point) for the points of the values of this rank, in their order. */
+    /** Call visit(point) for the points of this rank, in the order of their values. */
     template <class Visit>
     void for_each_point(const Visit &visit) const;
 
-    /** Spacing of the points of window @p w, −1 for the grid, in x and y. */
+    /** Spacing in x and y of the points of window @p w; −1: of the grid. */
     std::array<double, 2> spacing(int w) const;
 
-    /** Where point (@p ix, @p iy) of window @p w, −1 for the grid, lies; within the box
+    /** Where point (@p ix, @p iy) of window @p w (−1: of the grid) lies: within the box,
      *  unless the window crosses the seam. */
     std::array<double, 2> position(int w, int ix, int iy) const;
 
-    /** Call visit(a, b, k) for the points of its parent that window @p w covers, and for
-     *  @p margin more on all sides: column and row, counted from the first one that is
-     *  covered, and the position of its value. Of the grid, those of this rank. */
+    /** Call visit(a, b, k) for the points of the parent that window @p w covers, and
+     *  @p margin more on each side. Column a and row b count from the first point that is
+     *  covered; k is the position of the value. On the grid, only points of this rank are
+     *  visited. */
     template <class Visit>
     void for_each_around(int w, int margin, const Visit &visit) const;
 
-    /** Call visit(k_parent, k_window) with the positions of the values of both for each
-     *  point of this rank that a window covers, of each window before its parent's. */
+    /** Call visit(k_parent, k_window) for each point of this rank that a window covers,
+     *  with the positions of its values in the parent and in the window. Each window
+     *  comes before its parent. */
     template <class Visit>
     void for_each_covered(const Visit &visit) const;
 
-    /** The point of a window that is the same as @p point, if one covers that. */
+    /** The point of a window that coincides with @p point, if a window covers it. */
     std::optional<GridPoint> finer(const GridPoint &point) const;
 
-    /** The column (@p axis 0) or row (1) of window @p w on the first one of the grid,
-     * where the seam is; −1 if it covers no point there. */
+    /** The column (@p axis 0) or row (1) of window @p w that lies on the grid's first
+     *  one, where the seam is; −1 if the window covers no point there. */
     int seam(int w, int axis) const;
 
-    /** A range of values at points that no finer ones cover: begin <= k < end. */
+    /** A range of values, begin <= k < end, at points that no window covers. */
     struct Range
     {
       std::size_t begin;
       std::size_t end;
-      double      area; // that a point stands for here, over that of a grid point
+      double      area; // that each point stands for, over that of a grid point
     };
 
-    /**
-     * The ranges that together stand for the whole box, once over all ranks: of a window,
-     * which all ranks hold, each stands for its share of the area.
-     */
+    /** The ranges that, over all ranks, stand for the whole box exactly once. All ranks
+     *  hold the windows, so the area of a window's points is divided among them. */
     const std::vector<Range> &
     ranges() const
     {
@@ -224,7 +223,7 @@ namespace strait
     MPI_Comm                 comm;
     int                      my_rank;
     int                      number_of_ranks;
-    int                      n_rows_most; // that a rank has
+    int                      most_rows_per_rank; // the most rows that a rank has
     std::vector<ZoomWindow>  zoom_windows;
     std::vector<std::size_t> starts_of_windows;
     std::vector<Range>       own_ranges;

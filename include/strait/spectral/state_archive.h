@@ -14,18 +14,18 @@
 namespace strait
 {
   /**
-   * The file where a run's state is put to continue it later, or taken from.
+   * A checkpoint file, to which the state of a run is written, or from which it is read
+   * to continue the run.
    *
-   * A class with such a state has one function `transfer(StateArchive &)` that names
-   * its members one after the other, for both directions. All functions are collective.
-   * Scalars, texts and lists are those of rank 0 when they are put and the same on all
-   * ranks when they are taken. Fields do not depend on the number of ranks.
+   * A class with such a state has one function `transfer(StateArchive &, ...)`, for both
+   * directions, that names its members one after the other. All functions are collective.
+   * Scalars, texts and lists are those of rank 0 when they are written, and the same on
+   * all ranks when they are read. Fields do not depend on the number of ranks.
    *
-   * In the file there are a signature, the items in their order, each after its size in
-   * bytes, and at the end a checksum of all that, so that a file that was cut off or
-   * changed is recognised before anything is taken from it. Rank 0 alone writes and
-   * reads; the rows of a field pass by it one after the other. The file is in the byte
-   * order of the machine.
+   * The file has a signature, the items in their order, each after its size in bytes, and
+   * a checksum of all that at the end, so that a truncated or changed file is recognised
+   * before anything is taken from it. Only rank 0 writes and reads; the rows of a field
+   * pass through it one after the other. The file has the byte order of the machine.
    */
   class StateArchive
   {
@@ -37,32 +37,30 @@ namespace strait
       read
     };
 
-    /**
-     * Write to a file beside @p path, where errors wait for commit(), or open @p path and
-     * check it from end to end. Collective. Throws InputError on all ranks if there is
-     * nothing to read, or no file that was committed.
-     */
+    /** Begin a file beside @p path, whose errors commit() reports, or open @p path and
+     *  check it from end to end. Collective. Throws InputError on all ranks if there is
+     *  no file to read, or if it is not a whole checkpoint of this version of strait. */
     StateArchive(const std::string &path, MPI_Comm comm, Access access);
 
-    /** Removes what was not committed. */
+    /** Removes a file that was not committed. */
     ~StateArchive();
 
     StateArchive(const StateArchive &)            = delete;
     StateArchive &operator=(const StateArchive &) = delete;
 
-    /** Whether members are taken from the archive rather than put there. */
+    /** Whether members are read from the archive rather than written to it. */
     bool
     is_reading() const
     {
       return access == Access::read;
     }
 
-    /** A number, a yes or no, or a record of such as it is in memory. */
+    /** Transfer a number, a bool, or a record of such, as it is in memory. */
     template <typename Record>
     std::enable_if_t<std::is_trivially_copyable_v<Record>>
     value(Record &record)
     {
-      clear_gaps(record);
+      clear_padding(record);
       const std::string bytes =
         item({reinterpret_cast<const char *>(&record), sizeof record});
       if (bytes.size() != sizeof record) // on all ranks
@@ -70,29 +68,29 @@ namespace strait
       std::memcpy(&record, bytes.data(), sizeof record);
     }
 
-    /** A list of them, of any length. */
+    /** Transfer a list of such values, of any length. */
     template <typename Record>
     std::enable_if_t<std::is_trivially_copyable_v<Record>>
     value(std::vector<Record> &records)
     {
       for (Record &record : records)
-        clear_gaps(record);
+        clear_padding(record);
       const auto       *begin = reinterpret_cast<const char *>(records.data());
       const std::string bytes = item({begin, records.size() * sizeof(Record)});
       if (bytes.size() % sizeof(Record) != 0)
         refuse();
       records.resize(bytes.size() / sizeof(Record));
-      if (!records.empty()) // whose data may be nowhere
+      if (!records.empty()) // data() may be null otherwise
         std::memcpy(records.data(), bytes.data(), records.size() * sizeof(Record));
     }
 
-    /** A text, of any length. */
+    /** Transfer a text of any length. */
     void value(std::string &text);
 
-    /** A list of texts, of any length. */
+    /** Transfer a list of texts, of any length. */
     void value(std::vector<std::string> &texts);
 
-    /** Several of all these, one after the other. */
+    /** Transfer several of all these, one after the other. */
     template <typename... Values>
     void
     values(Values &...several)
@@ -100,29 +98,29 @@ namespace strait
       (value(several), ...);
     }
 
-    /** A field on the grid of @p layout, which may be empty(), with its windows. */
+    /** Transfer a field on the grid of @p layout, with its windows. It may be empty(). */
     void field(SlabField &values, const SlabLayoutPtr &layout);
 
-    /** The values, double or float, of a field like @p layout, windows included, or none
-     * on any rank. */
+    /** Transfer the values, double or float, of a field with this @p layout, windows
+     *  included; or nothing, if there are none on any rank. */
     template <typename Number>
     void field(std::vector<Number> &values, const SlabLayout &layout);
 
     /**
-     * Put the file that was written in the place of the one before, once it is safe on
-     * the disk: at any moment one of the two is there, whole. Collective. Throws
-     * ComputationError if anything could not be written; then the one before stays.
+     * Replace the previous file by the one that was written, once this is safe on the
+     * disk: at any moment one of the two is there, whole. Collective. Throws
+     * ComputationError if anything could not be written; then the previous file stays.
      */
     void commit();
 
   private:
-    /** What stands between the members of a record is put as well, and shall be the same
-     *  in every run. */
+    /** Clear the padding between the members of a record: it is written as well, and must
+     *  be the same in every run. */
     template <typename Record>
     static void
-    clear_gaps([[maybe_unused]] Record &record)
+    clear_padding([[maybe_unused]] Record &record)
     {
-#if defined(__GNUC__) && !defined(__clang__) // which knows no such thing
+#if defined(__GNUC__) && !defined(__clang__) // which lacks this builtin
       __builtin_clear_padding(&record);
 #endif
     }
@@ -141,15 +139,15 @@ namespace strait
     const MPI_Comm    comm;
     const Access      access;
 
-    // Of rank 0.
+    // Used on rank 0 only.
     std::FILE    *file      = nullptr;
     std::size_t   remaining = 0; // bytes of items to be read
     int           error     = 0; // errno of the first failure in writing
     std::uint32_t checksum  = 0; // of what was written
   };
 
-  /** A list of any length; @p transfer_item puts or takes each of its items. Collective.
-   */
+  /** Transfer a list of any length; @p transfer_item transfers one of its items.
+   *  Collective. */
   template <typename Item, typename Transfer>
   void
   transfer_all(StateArchive      &archive,
@@ -163,7 +161,8 @@ namespace strait
       transfer_item(item);
   }
 
-  /** Whether there is a value, which is made where it is to be taken. Collective. */
+  /** Transfer whether there is a @p value, and return it. Reading creates the value, to
+   *  be read next, or removes it. Collective. */
   template <typename Value>
   bool
   transfer_presence(StateArchive &archive, std::optional<Value> &value)

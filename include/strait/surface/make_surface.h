@@ -9,12 +9,12 @@ namespace strait
   struct Remarks;
 
   /**
-   * The surface that the section Surface of a scene describes, inverted and rotated if it
-   * says so: its height h at every point of the grid of @p layout, whose box must be the
-   * Size of the scene; scene's unit of length. Files are read on rank 0, which gets
-   * @p remarks on what was done to a map, if wanted. Collective. Throws InputError (on
-   * all ranks) for a bad file or expression, a box or a grid that does not fit the kind,
-   * a spectrum without a single wave, or an expression that is not finite.
+   * Make the surface that the section Surface of a scene describes, inverted and rotated
+   * if asked for: its height h, in the scene's unit of length, at every grid point of
+   * @p layout, whose box must be the Size of the scene. Rank 0 reads the files; its
+   * @p remarks, if wanted, tell what was done to a map and what is doubtful. Collective.
+   * Throws InputError (on all ranks) for a bad file or expression, a box or a grid that
+   * does not fit the kind, a spectrum without a wave, or a height that is not finite.
    *
    * Some surfaces are given by a formula, in which Δ is the parameter Amplitude:
    *  - sine: Westergaard's wave.
@@ -25,7 +25,7 @@ namespace strait
    *    lattice spacings (two peaks or four). Heights run from 0 to 4.5 Δ; one is the
    *    inversion of the other.
    *  - sphere: one of radius R = Δ that touches h = 0 at the centre of the box, in the
-   *    approximation of small slopes, which the theory of Hertz makes as well.
+   *    approximation of small slopes, as in Hertz's theory.
    *  - expression: a muParser expression of x and y, in which lx, ly (sides of the box,
    *    before a rotation) and pi may be used.
    */

@@ -25,21 +25,21 @@ namespace strait
     /** Collective. Throws InputError if no wave, or too many, lie in the band. */
     SelfAffineSurface(const SurfaceParameters &parameters, MPI_Comm communicator);
 
-    /** At the points of the grid of @p layout. Collective. */
+    /** The heights at the grid points of @p layout. Collective. */
     SlabField heights(const SlabLayoutPtr &layout) const;
 
     /** h~ of the wave vector (2π kx/lx, 2π ky/ly); h~(−q) is its conjugate. */
     std::complex<double> mode(int kx, int ky) const;
 
     /**
-     * The height spectrum C(q) = ⟨|h~(q)|²⟩ at the same, in length²: constant below the
-     * roll-off 2π/λr, ∝ q^{−2(1+H)} from there to the cut-off 2π/λs (exclusive), zero
+     * The height spectrum C(q) = ⟨|h~(q)|²⟩ of that wave vector [length²]: constant below
+     * the roll-off 2π/λr, ∝ q^{−2(1+H)} from there to the cut-off 2π/λs (exclusive), zero
      * above and at q = 0.
      *
-     * C is scaled such that Σ q² C (or Σ C), summed over every wave of the band,
-     * is the square of the rms slope (or height) asked for. The sum knows no grid,
-     * so refining the grid never changes the surface. With fixed amplitudes a
-     * realisation has the rms value exactly, with Gaussian ones on average.
+     * C is scaled such that Σ q² C (or Σ C), summed over all waves of the band, is the
+     * square of the rms slope (or height) asked for. The sum does not depend on the grid,
+     * so refining the grid never changes the surface. A realisation has the rms value
+     * exactly with fixed amplitudes, and on average with Gaussian ones.
      */
     double spectrum(int kx, int ky) const;
 
@@ -48,15 +48,15 @@ namespace strait
     double band_sum(MPI_Comm communicator) const;
 
     SurfaceParameters parameters;
-    double            roll_off; // of q/2π
-    double            cut_off;  // of q/2π
+    double            roll_off; // as q/2π
+    double            cut_off;  // as q/2π
     double            scale = 1.;
   };
 
   /**
-   * Whether @p grid carries the shortest waves of a self-affine surface; other
-   * kinds pass. Fewer than two grid points a short cut-off wavelength throw an
-   * InputError, fewer than four give a warning.
+   * Check whether @p grid carries the shortest waves of a self-affine surface; other
+   * kinds pass. Throws InputError if there are fewer than two grid points per short
+   * cut-off wavelength; fewer than four give a warning.
    * @return warnings for the user, one sentence each.
    */
   std::vector<std::string> check_resolution(const SurfaceParameters &parameters,

@@ -8,7 +8,7 @@
 
 namespace strait
 {
-  /** Numbers that characterise the roughness of a surface on its grid. */
+  /** Measures of the roughness of a surface on its grid. */
   struct SurfaceStatistics
   {
     double rms_height       = 0.; // about the mean
@@ -20,13 +20,13 @@ namespace strait
   };
 
   /**
-   * Statistics of @p height; lengths in its unit. Slope and curvature are those
-   * of the trigonometric interpolant, hence exact for a surface whose waves the
+   * Compute the statistics of @p height, in its unit of length. Slope and curvature are
+   * those of the trigonometric interpolant, and thus exact for a surface whose waves the
    * grid resolves. Collective.
    */
   SurfaceStatistics statistics(const SlabField &height);
 
-  /** The waves of a ring in the plane of wave vectors. */
+  /** The waves in a ring of the plane of wave vectors. */
   struct SpectrumBin
   {
     double q       = 0.; // geometric mean of the limits, 1/length
@@ -36,9 +36,9 @@ namespace strait
 
   /**
    * The power spectral density of a surface, averaged over directions:
-   * C(q) = |h~(q)|² Lx Ly/(2π)², so that ∫d²q C = h_rms², in four rings an octave up to
-   * the largest wave number that all directions have. Rings without a wave are left out.
-   * Collective; the same on all ranks.
+   * C(q) = |h~(q)|² Lx Ly/(2π)², so that ∫d²q C = h_rms², in four rings per octave up to
+   * the largest wave number that the grid has in all directions. Rings without a wave are
+   * left out. Collective; the same on all ranks.
    */
   std::vector<SpectrumBin> radial_spectrum(const SlabField &heights);
 
@@ -55,9 +55,9 @@ namespace strait
   };
 
   /**
-   * The law that fits @p spectrum best in logarithms, each bin weighted by how well
-   * its mean is known. At a sudden drop by a factor of 1000, a cut-off, the bin before
-   * and all beyond are left out. Nothing if fewer than five bins are left.
+   * Fit the law to the logarithm of @p spectrum, each bin weighted by how well its mean
+   * is known. A drop by a factor of 1000 from one bin to the next is a cut-off: the bin
+   * before and all beyond are left out. Nothing if fewer than five bins are left.
    */
   std::optional<SelfAffineFit> fit_self_affine(const std::vector<SpectrumBin> &spectrum);
 } // namespace strait

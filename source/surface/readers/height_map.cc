@@ -15,7 +15,7 @@ namespace strait
 {
   namespace
   {
-    /** The first bytes of a file. */
+    /** The first 512 bytes of a file, or fewer if it is shorter. */
     std::string
     start_of(const std::string &file)
     {

@@ -14,13 +14,13 @@ namespace strait
     constexpr char white_space[] = " \t\r";
 
     /**
-     * The number at @p position, which moves behind it; nothing if there is none.
-     * Unlike std::stod this knows no locale: the decimal sign is a point.
+     * Read the number at @p position, and move that behind it; nothing if there is none.
+     * Unlike std::stod this does not depend on the locale: the decimal sign is a point.
      */
     std::optional<double>
     take_number(const char *&position, const char *const end)
     {
-      // std::from_chars takes a minus sign but no plus sign.
+      // std::from_chars accepts a minus sign but no plus sign.
       const bool has_plus =
         end - position > 1 && position[0] == '+' && position[1] != '-';
       double     value  = 0;
@@ -31,10 +31,10 @@ namespace strait
       return value;
     }
 
-    /** What the lines above the numbers state: each value as it stands, by its key. */
+    /** What the lines above the numbers state: each value as written, by its key. */
     using Header = std::map<std::string, std::string>;
 
-    /** The number of a side, and its unit as it stands. */
+    /** The length of a side, as a number and its unit. */
     std::pair<double, LengthUnit>
     parse_side(const std::string &text, const std::string &file)
     {
@@ -67,7 +67,7 @@ namespace strait
         reject_for_import(file, "has the header line '" + trim(line) + "'");
     }
 
-    /** Append the numbers of a line; how many they are. */
+    /** Append the numbers of a line. @return how many there are. */
     std::size_t
     append_row(std::vector<double> &values,
                const std::string   &line,
@@ -105,7 +105,7 @@ namespace strait
     for (long number = 1; std::getline(stream, line); ++number)
       {
         if (number == 1)
-          line = without_mark(line);
+          line = without_byte_order_mark(line);
         const std::size_t first = line.find_first_not_of(white_space);
         if (first == std::string::npos)
           has_ended = map.ny > 0;
@@ -139,7 +139,7 @@ namespace strait
     const auto [height, other_unit] = parse_side(stated["Height"], file);
     if (unit.name.empty() != other_unit.name.empty())
       reject_for_import(file, "states a unit for one of its sides only");
-    // Sides may have different units; what 1 in the file means is said of the first.
+    // The sides may have different units; both are expressed in that of the first.
     const double ratio = unit.name.empty() ? 1. : *other_unit.metres / *unit.metres;
     map.size           = {{width, height * ratio}};
     map.lateral_unit   = unit;

@@ -14,7 +14,7 @@ namespace strait
 {
   namespace
   {
-    // What the library of NetCDF writes where nothing was.
+    // What the NetCDF library fills in for values that were never written.
     constexpr double usual_fill = 9.969209968386869e36;
 
     constexpr auto big = boost::endian::order::big;
@@ -45,7 +45,7 @@ namespace strait
     struct Attribute
     {
       std::string           text;
-      std::optional<double> number; // if it is a single one
+      std::optional<double> number; // if there is exactly one
     };
 
     struct Dimension
@@ -56,12 +56,12 @@ namespace strait
 
     struct Variable
     {
-      std::vector<std::uint64_t>       dimensions; // numbers of them
+      std::vector<std::uint64_t>       dimensions; // by their numbers
       std::map<std::string, Attribute> attributes;
       std::uint64_t                    type  = 0;
       std::uint64_t                    begin = 0; // bytes from the start of the file
 
-      /** The attribute of a name; one without content if there is none. */
+      /** The attribute @p name; an empty one if there is none. */
       const Attribute &
       operator[](const std::string &name) const
       {
@@ -70,7 +70,7 @@ namespace strait
         return found == attributes.end() ? none : found->second;
       }
 
-      /** Whether the attribute of a name says yes, by a number or a word. */
+      /** Whether the attribute @p name is 1 or a word for yes. */
       bool
       says(const std::string &name) const
       {
@@ -79,7 +79,7 @@ namespace strait
         return attribute.number == 1. || word == "true" || word == "yes" || word == "1";
       }
 
-      /** Empty if none is stated. */
+      /** The unit; empty if none is stated. */
       std::string
       unit() const
       {
@@ -91,8 +91,8 @@ namespace strait
     };
 
     /**
-     * The header of a file: big-endian numbers, texts padded to four bytes. Reads no more
-     * than the file has, whatever the counts in it claim.
+     * The header of a file: big-endian numbers, and texts padded to four bytes. It is
+     * never read beyond the end of the file, whatever the counts in it claim.
      */
     class ClassicHeader
     {
@@ -101,7 +101,7 @@ namespace strait
         : file(file_)
       {
         std::ifstream stream(file, std::ios::binary);
-        // Headers of maps have some hundred bytes; this has room for any history.
+        // Headers of maps have some hundred bytes; this leaves room for any history.
         constexpr std::uint64_t longest = 1 << 20;
         content.resize(
           std::min<std::uint64_t>(longest, std::filesystem::file_size(file)));
@@ -162,7 +162,7 @@ namespace strait
         return padded(number(4));
       }
 
-      /** The length of a list, behind the number of its kind. */
+      /** The length of a list, which follows its tag. */
       std::uint64_t
       count()
       {
@@ -193,7 +193,7 @@ namespace strait
       std::size_t position = 0;
     };
 
-    /** Refuse attributes that say that numbers are not what they are. */
+    /** Refuse a variable with attributes that change the meaning of its numbers. */
     void
     require_plain(const std::string                        &file,
                   const Variable                           &variable,
@@ -204,8 +204,8 @@ namespace strait
           reject_for_import(file, std::string("has the attribute ") + name);
     }
 
-    /** What the coordinates along the dimension @p along rise by, from the first to the
-     *  last; throws unless their steps are equal, to a twentieth. */
+    /** The rise of the coordinates along the dimension @p along from the first to the
+     *  last. Throws InputError unless their steps are equal to within a twentieth. */
     double
     rise_of(const std::string &file, const Variable &variable, const Dimension &along)
     {
@@ -225,10 +225,10 @@ namespace strait
     }
 
     /**
-     * The side along the dimension @p name. It is the length that its coordinates state,
-     * but n of their steps where that is the span from the first to the last, or where
-     * they state no length and a unit all the same; nothing if they tell neither. Throws
-     * where they do not rise, to a hundredth, by n or by n − 1 steps in that length.
+     * The side along the dimension @p name: the length that its n coordinates state, or n
+     * of their steps if that is the span from the first to the last, or if they state a
+     * unit but no length; nothing if they state neither. Throws InputError unless the
+     * length is n − 1 to n steps, to within a hundredth of it and a tenth of a step.
      */
     std::optional<double>
     side_along(const std::string   &file,
@@ -251,7 +251,7 @@ namespace strait
       const auto   n      = static_cast<double>(along.n);
       const double step   = rise / (n - 1);
       const double length = stated.value_or(n * step);
-      // Equal numbers are those of a dimension to which none were written.
+      // Coordinates that are all equal were never written.
       if (rise == 0)
         return stated;
       if (rise < 0 || !(std::abs((n - .5) * step - length) <=
@@ -263,8 +263,7 @@ namespace strait
       return is_span || (!stated && !variable.unit().empty()) ? n * step : stated;
     }
 
-    /** What the coordinate variables say of the sides; nothing if one of them does not.
-     */
+    /** Read the sides from the coordinate variables; none if one of them is unknown. */
     void
     read_sides(HeightMap           &map,
                const std::string   &file,
@@ -284,7 +283,7 @@ namespace strait
       map.is_periodic  = x.says("periodic") && y.says("periodic");
     }
 
-    /** The variable of the heights; throws where the layout is another. */
+    /** The variable of the heights. Throws InputError if it is laid out differently. */
     const Variable &
     find_heights(const ClassicHeader &header, const std::string &file)
     {
@@ -315,7 +314,7 @@ namespace strait
     const Dimension    &outer      = header.dimensions[heights.dimensions[0]];
     const Dimension    &inner      = header.dimensions[heights.dimensions[1]];
     const bool          x_is_outer = outer.name == "x" || outer.name == "X";
-    // In the precision that is stored, whatever the attribute has.
+    // In the precision of the stored values, whatever that of the attribute is.
     const double stated = heights["_FillValue"].number.value_or(usual_fill);
     const double fill  = heights.type == type_float ? static_cast<float>(stated) : stated;
     const auto   value = [&](const char *bytes) {
@@ -331,7 +330,7 @@ namespace strait
                                  value});
     const std::string x    = x_is_outer ? outer.name : inner.name;
     std::string       unit = heights.unit();
-    // As contact.engineering writes it, the coordinates state the unit of all lengths.
+    // In files of contact.engineering, the coordinates state the unit of all lengths.
     if (const auto found = header.variables.find(x);
         unit.empty() && found != header.variables.end())
       unit = found->second["length_unit"].text;

@@ -29,7 +29,7 @@ namespace strait
       header.begin               = 8 + length_bytes + length;
       if (!stream || header.begin > std::filesystem::file_size(file))
         reject_height_map(file, "ends within its header: copy or save it again.");
-      // numpy admits no more, and a regular expression recurses with every letter.
+      // numpy allows no more, and std::regex recurses with every character.
       constexpr std::uint64_t longest_dictionary = 10000;
       if (length > longest_dictionary)
         reject_height_map(file, "has too long a header: save a plain array.");
@@ -38,7 +38,7 @@ namespace strait
       return dictionary;
     }
 
-    /** What the dictionary at the start of the file says. */
+    /** Read what the dictionary at the start of the file states. */
     StoredValues
     read_header(const std::string &file)
     {
@@ -69,7 +69,7 @@ namespace strait
       if (!std::regex_search(dictionary, match, shape))
         reject_height_map(file,
                           "is not two-dimensional: save an array of shape (Ny, Nx).");
-      // Ten digits fit into 64 bits and are more than any grid has.
+      // Ten digits fit into 64 bits, and no grid has more points along a side.
       const auto extent = [](const std::string &digits) -> std::uint64_t {
         return digits.size() > 10 ? 0 : std::stoull(digits);
       };

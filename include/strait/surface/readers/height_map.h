@@ -20,7 +20,7 @@ namespace strait
    */
   struct HeightMap
   {
-    std::string         file; // that it was read from, for messages
+    std::string         file; // from which it was read, for messages
     int                 nx = 0;
     int                 ny = 0;
     std::vector<double> values;
@@ -28,17 +28,17 @@ namespace strait
     std::optional<std::array<double, 2>> size;
     LengthUnit                           lateral_unit;
     LengthUnit                           height_unit;
-    bool                                 is_periodic = false; // says the file
+    bool                                 is_periodic = false; // as the file states
     std::string                          format;              // for messages
 
     std::size_t n_missing() const;
   };
 
   /**
-   * Read a height map in one of the formats below; the content of the file tells which.
-   * Not collective: call it on one rank. Throws InputError, with the command that imports
-   * the file, if it is of any other kind; also if it cannot be read, is incomplete, or
-   * holds an infinite value.
+   * Read a height map in one of the formats below, recognised by the content of the file.
+   * Not collective: call it on one rank. Throws InputError if the file has another
+   * format, with the command that imports it; also if it cannot be read, is incomplete,
+   * has an infinite value or no valid point, or states a size that is not positive.
    */
   HeightMap read_height_map(const std::string &file);
 
@@ -50,7 +50,7 @@ namespace strait
    */
   HeightMap read_npy(const std::string &file);
 
-  /** What the classic format of NetCDF calls its types of numbers. */
+  /** The codes of types in the classic format of NetCDF. */
   enum NetcdfType : std::uint64_t
   {
     type_byte   = 1,
@@ -63,41 +63,41 @@ namespace strait
 
   /**
    * Read the variable "heights" of a NetCDF file in the classic format (CDF-1 or CDF-2)
-   * and the layout of contact.engineering, as strait_import and write_netcdf_map() leave
-   * it: floating-point numbers; the dimension called x, else the last, runs along x;
-   * coordinate variables with the attributes "length" (of the whole side; without it, or
-   * where it is the span of the coordinates, n of their steps), "unit" and "periodic", or
-   * "length_unit", which is that of the heights as well if they have none.
-   * NaN and _FillValue mark missing points. What the header claims is checked against the
-   * length of the file: the library of NetCDF (4.9) would read zeros where a file was cut
-   * off, without a word.
+   * and the layout of contact.engineering, as strait_import and write_netcdf_map() write
+   * it. Heights are floating-point numbers; the dimension called x, else the last, runs
+   * along x. The coordinate variables have the attributes "length", "unit" and
+   * "periodic", or "length_unit", which is the unit of the heights as well if they have
+   * none. The side is the "length", but n steps of the n coordinates if the length is
+   * their span, or is missing and they have a unit. NaN and _FillValue mark missing
+   * points. What the header claims is checked against the length of the file: where a
+   * file was cut off, the NetCDF library (4.9) would silently read zeros.
    */
   HeightMap read_netcdf(const std::string &file);
 
   /**
-   * Read a matrix of numbers, one row of the grid a line, separated by white space with
-   * decimal points, nan for missing points, below
+   * Read a matrix of numbers, one row of the grid per line, separated by white space,
+   * with decimal points and nan for missing points, below the header
    *
    *     # Width: 12.34 µm        lx
    *     # Height: 5678.9 nm      ly
    *     # Value units: m         what a value of 1 means
    *
-   * as Gwyddion writes it in English, or without units in those of the scene. Other lines
-   * that begin with # and have a colon are refused, but for "# Channel:": they may state
-   * a unit in another language. So is whatever follows the last row, and a line that
-   * contradicts an earlier one.
+   * as Gwyddion writes it in English; without units, numbers are in those of the scene.
+   * Other lines that begin with # and have a colon are refused, except "# Channel:", as
+   * they may state a unit in another language. So are a header line that contradicts an
+   * earlier one, and anything after the last row.
    */
   HeightMap read_matrix_text(const std::string &file);
 
-  /** Throw InputError: the height map @p file @p complaint. */
+  /** Throw an InputError that reads: the height map @p file @p complaint. */
   [[noreturn]] void reject_height_map(const std::string &file,
                                       const std::string &complaint);
 
-  /** Throw InputError: the height map @p file @p complaint; and what imports it. */
+  /** Throw such an InputError, with the command that imports the file. */
   [[noreturn]] void reject_for_import(const std::string &file,
                                       const std::string &complaint);
 
-  /** The number whose bytes, in @p order, are at @p bytes. */
+  /** The number whose bytes are stored in @p order at @p bytes. */
   template <typename Number, boost::endian::order order>
   Number
   load(const char *bytes)
@@ -118,9 +118,9 @@ namespace strait
   };
 
   /**
-   * Read the values of a map, and nothing else of it. Throws InputError if they cannot
-   * be: an extent is zero or too large for any grid, or the file is too short, which is
-   * checked before memory is set aside for what a damaged header may claim.
+   * Read the values of a map, and nothing else of it. Throws InputError if an extent is
+   * zero or too large for any grid, or if the file cannot be read or is too short. This
+   * is checked before memory is allocated, because a damaged header may claim any extent.
    */
   HeightMap read_values(const std::string &file, const StoredValues &stored);
 } // namespace strait
