@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Poiseuille coefficient Q_P of a gas between parallel walls, from kinetic theory.
 

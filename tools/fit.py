@@ -259,11 +259,18 @@ def fit_ensemble(folder, largest, has_law):
                  "loads has too few steps for it")
 
 
+def window(text):
+    """The largest reduced load of a fit, as the scene's parameter allows it."""
+    if not 0 < float(text) <= 1:
+        raise argparse.ArgumentTypeError(f"{text} is not above 0 and at most 1")
+    return float(text)
+
+
 def main(arguments=None):
     """Fit what the command line names and return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("folder", metavar="OUTPUT_DIR", type=pathlib.Path)
-    parser.add_argument("--largest", type=float, metavar="REDUCED_LOAD",
+    parser.add_argument("--largest", type=window, metavar="REDUCED_LOAD",
                         help="fit up to this in place of the scene's Largest reduced load of fits")
     options = parser.parse_args(arguments)
     folder = options.folder

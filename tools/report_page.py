@@ -99,8 +99,10 @@ def number(value):
 
 
 def percent(error):
-    """Two digits of a relative error."""
-    return f"{100 * error:.2g} %" if error < 10 else f"{error:.2g} times"
+    """Two digits of a relative error, without an exponent."""
+    if error < .995:
+        return f"{100 * error:.2g} %"
+    return f"{100 * error:.0f} %" if error < 10 else f"{error:.2g} times"
 
 
 def table(columns, title=""):

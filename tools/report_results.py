@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from run_folder import read_parameters, realisations, scene_in
+from run_folder import has_bounds, read_parameters, realisations, scene_in
 from strait_results import Run
 
 
@@ -36,10 +36,12 @@ class Results:
 
 
 def relative_errors(columns):
-    """Of the leak rates: the whole error where it is known, else how far the bounds are."""
+    """Of the leak rates: the whole error where it is known, else how far the bounds are; not a
+    number where the step failed, so that these are no bounds."""
     rate = np.abs(columns["leak_rate"])
     with np.errstate(divide="ignore", invalid="ignore"):
         bracket = np.maximum(columns["leak_rate_upper"] / rate - 1,
                              1 - columns["leak_rate_lower"] / rate)
     known = columns.get("leak_rate_error", np.full(len(rate), np.nan))
-    return np.where(np.isfinite(known), known, bracket)
+    bounded = has_bounds(columns.get("status", np.full(len(rate), "ok")))
+    return np.where(np.isfinite(known), known, np.where(bounded, bracket, np.nan))

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.linalg import solveh_banded
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
-from scipy.stats import norm, t
+from scipy.special import ndtri, stdtrit
 
 from run_folder import at_load
 
@@ -145,7 +145,7 @@ class Band:
         self.solution = solution_error
         # The scatter of the patches is known from the n of them only: Student's t.
         free = max(len(along) - 1, 1)
-        self.student = t.ppf(0.95, free) / norm.ppf(0.95)
+        self.student = stdtrit(free, 0.95) / ndtri(0.95)
         self.student *= np.sqrt(max(free, 2) / free)  # two of two patches scatter too little
         self.sealed = np.mean(both == 0)
         # How much the solutions err is known, however few patches there are.

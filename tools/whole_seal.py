@@ -323,7 +323,11 @@ def main():
     if options.check:
         seal_of(sys.stdin.read()).rows()
     elif options.folder:
-        assess(options.folder)
+        try:
+            assess(options.folder)
+        except FileNotFoundError as error:
+            sys.exit(f"whole_seal.py: there is no file {error.filename}; give the folder of a run "
+                     "with Realisations.")
     else:
         parser.error("which results?")
 

@@ -119,7 +119,7 @@ class Run:
     """The results in one output folder."""
 
     def __init__(self, folder):
-        self.folder = pathlib.Path(folder)
+        self.folder = pathlib.Path(folder).absolute()  # whatever the current folder is later
         record = self.folder / "run.json"
         # Absent while the run goes on.
         self.record = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}

@@ -9,6 +9,7 @@ import pickle
 import queue
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
@@ -27,14 +28,15 @@ OF_A_RANK = ("OMPI_COMM_", "OMPI_UNIVERSE_", "OMPI_MCA_orte_", "OMPI_MCA_ess", "
 
 def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]], *,
           processes: int = 1, table: str = "leakage.csv",
-          output: str | os.PathLike | None = None) -> Table:
+          output: str | os.PathLike | None = None, force: bool = False) -> Table:
     """Run a scene for all combinations of some parameters' values, or for each mapping of a
     list, and put the tables of the runs under each other.
 
     The first columns are the parameters, with the scene's own value where a mapping has none.
     `table` names the file of each run that is read; `output` a folder that keeps the runs,
-    numbered from 1; `processes` how many run side by side. Steps that fail say so in the
-    column status, as do runs that fail altogether.
+    numbered from 1, and `force` lets them replace the results of other scenes there;
+    `processes` how many run side by side. Steps that fail say so in the column status, as do
+    runs that fail altogether.
 
     >>> scene = Scene(contact=dict(grid_points=64), fluid=dict(enabled=False),
     ...               surface=dict(short_cut_off_wavelength=0.125))
@@ -53,7 +55,7 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
         own = scene.replace(point)  # what is wrong with a scene is said before the first run
         point.update({name: own[name] for name in names if name not in point})
         folder = None if output is None else pathlib.Path(output) / str(number)
-        jobs.append((own.path, own.overrides, folder, table))
+        jobs.append((own.path, own.overrides, folder, table, force))
     if processes > 1:
         if _core.rank()[1] > 1:
             raise _core.SceneError("On several ranks a sweep runs one scene after the other, each "
@@ -64,9 +66,10 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
     return _under_each_other(points, tables)
 
 
-def _run(path: str, overrides: list[str], folder: os.PathLike | None, table: str) -> Table:
+def _run(path: str, overrides: list[str], folder: os.PathLike | None, table: str,
+         force: bool) -> Table:
     try:
-        run = Scene._made_of(path, overrides).run(folder or TEMPORARY, force=True)
+        run = Scene._made_of(path, overrides).run(folder or TEMPORARY, force=force)
     except _core.NotConverged as error:
         if not hasattr(error, "run"):
             return Table({"status": np.array(["failed"])})
@@ -94,8 +97,13 @@ def _under_each_other(points: list[dict[str, Any]], tables: list[Table]) -> Tabl
 
 
 def _run_in_processes(jobs: list[tuple], processes: int) -> list[Table]:
+    # A process that is ended in a run cannot remove that run's folder.
+    with tempfile.TemporaryDirectory(prefix="strait-") as folder:
+        return _share_out(jobs, [_Worker(folder) for _ in range(min(processes, len(jobs)))])
+
+
+def _share_out(jobs: list[tuple], workers: list[_Worker]) -> list[Table]:
     idle: queue.SimpleQueue[_Worker] = queue.SimpleQueue()
-    workers = [_Worker() for _ in range(min(processes, len(jobs)))]
     for worker in workers:
         idle.put(worker)
 
@@ -123,7 +131,8 @@ class _Worker:
     an MPI that runs.
     """
 
-    def __init__(self):
+    def __init__(self, folder: str):
+        """Temporary folders of runs are made in `folder`."""
         environment = {name: value for name, value in os.environ.items()
                        if not name.startswith(OF_A_RANK)}
         environment.update(OMP_NUM_THREADS="1",
@@ -132,7 +141,7 @@ class _Worker:
                                os.environ.get("PYTHONPATH")]))))
         # In a session of its own, for Ctrl-C is for this process, which ends the others.
         self.process = subprocess.Popen(
-            [sys.executable, "-c", "from strait.sweep import _work; _work()"],
+            [sys.executable, "-c", "from strait.sweep import _work; _work()", folder],
             env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
             start_new_session=True)
 
@@ -156,6 +165,7 @@ class _Worker:
 
 def _work() -> None:
     """What the other process does, until its input ends."""
+    tempfile.tempdir = sys.argv[1]
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a library prints is no answer
     while True:

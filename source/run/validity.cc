@@ -38,7 +38,7 @@ namespace strait
     constexpr double most_knudsen = .01;
 
     // First-order slip falls short of kinetic theory by 4 % between plates at this
-    // Knudsen number, by 1 % at half of it and 7 % at double.
+    // Knudsen number, by 1 % at half of it and 8 % at double.
     constexpr double most_knudsen_with_slip = .1;
 
     // Fraction of the load that is uncertain because of trapped fluid; leak rates change

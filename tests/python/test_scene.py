@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Scenes, runs and sweeps from Python."""
 import doctest
+import functools
 import importlib
 import os
 import pathlib
@@ -10,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import warnings
 
 import numpy as np
@@ -130,8 +132,12 @@ class Runs(unittest.TestCase):
             try:
                 scene = strait.Scene({**SMALL, "Output/Directory": "output",
                                       "Output/Pictures": False})
-                self.assertEqual(scene.run().folder, pathlib.Path("output"))
+                run = scene.run()
+                self.assertEqual(run.folder, pathlib.Path("output").absolute())
                 self.assertTrue((pathlib.Path(folder) / "output" / "run.json").exists())
+                os.chdir(before)  # which the results do not follow
+                self.assertEqual(run.csv("leakage.csv").n_rows, 2)
+                os.chdir(folder)
                 # Of a sweep only the table lasts, wherever its scene would go alone.
                 strait.sweep(scene.replace({"Output/Directory": "other"}), [{}])
                 self.assertFalse(pathlib.Path("other").exists())
@@ -266,6 +272,28 @@ class Sweeps(unittest.TestCase):
                                  table="threshold.csv", output=folder)
             self.assertTrue((pathlib.Path(folder) / "2" / "leakage.csv").exists())
         self.assertTrue(np.all(table["critical_load_lower"] < table["critical_load_upper"]))
+
+    def test_results_of_another_scene_are_left_alone(self):
+        scene = strait.Scene({**SMALL, "Load programme/Pressures": 0.1, "Output/Pictures": False})
+        for processes in (1, 2):
+            with tempfile.TemporaryDirectory() as folder:
+                scene.run(f"{folder}/1")
+                before = strait.Run(f"{folder}/1").table["leak_rate"][0]
+                sweep = functools.partial(strait.sweep, scene, {"Surface/Seed": [5]},
+                                          output=folder, processes=processes)
+                with self.assertRaisesRegex(strait.SceneError, "results of another scene"):
+                    sweep()
+                self.assertEqual(strait.Run(f"{folder}/1").table["leak_rate"][0], before)
+                self.assertNotEqual(sweep(force=True)["leak_rate"][0], before)
+
+    def test_processes_that_fail_leave_no_folder(self):
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder, \
+                unittest.mock.patch.dict(os.environ, TMPDIR=folder), \
+                unittest.mock.patch("tempfile.tempdir", None):
+            with self.assertRaises(FileNotFoundError):
+                strait.sweep(strait.Scene(SMALL), {"Surface/Seed": [1, 2, 3]},
+                             table="threshold.csv", processes=2)
+            self.assertEqual(list(pathlib.Path(folder).glob("strait-*")), [])
 
     def test_failures(self):
         scene = strait.Scene(SMALL)

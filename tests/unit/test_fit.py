@@ -194,6 +194,12 @@ class OfARun(Folder):
         self.assertEqual(after["points"][chosen], [2])
         self.assertAlmostEqual(after["exponent"][chosen][0], 3., places=12)
 
+    def test_a_window_that_no_scene_could_have(self):
+        for largest in ("nan", "-0.5", "0", "1.5"):
+            with self.assertRaises(SystemExit), contextlib.redirect_stderr(io.StringIO()) as said:
+                fit.main([str(self.folder), f"--largest={largest}"])
+            self.assertIn("is not above 0 and at most 1", said.getvalue())
+
     def test_exponents_that_drift(self):
         self.make_run([step(e, e**(3. if e < .015 else 3.2)) for e in (.02, .01, .005)])
         self.assertRegex(self.warnings()[0], "^corrections to scaling: the local exponent of "

@@ -14,7 +14,7 @@ import numpy as np
 
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
 sys.path.insert(0, str(TOOLS))
-from report_page import Column, readable  # noqa: E402
+from report_page import Column, percent, readable  # noqa: E402
 from report_results import relative_errors  # noqa: E402
 
 SCENE = """subsection Surface
@@ -85,6 +85,19 @@ class Report(unittest.TestCase):
             TABLE.replace("4e-12,3.96e-12,4.04e-12,0.0144,ok", "inf,nan,inf,inf,lifted-off"),
             encoding="utf-8")
         self.assertIn("Leak rate at a pressure of 200 kPa: not known (lifted-off)", self.text())
+
+    def test_a_rate_of_a_contact_that_failed_is_no_answer(self):
+        failed = TABLE.replace("0.0144,ok", "0.0144,contact")
+        (self.folder / "leakage.csv").write_text(failed, encoding="utf-8")
+        text = self.text()
+        self.assertIn("Leak rate at a pressure of 200 kPa: not known (contact)", text)
+        self.assertNotIn("4e-12 ±", text)
+
+    def test_a_doubtful_rate_says_so(self):
+        doubtful = TABLE.replace("4e-12,3.96e-12,4.04e-12,0.0144,ok",
+                                 "4e-12,1e-13,4e-12,0.0144,flow-accuracy+unresolved-throat")
+        (self.folder / "leakage.csv").write_text(doubtful, encoding="utf-8")
+        self.assertIn("0.0144 ml/h ± 98 % (flow-accuracy+unresolved-throat)", self.text())
 
     def test_where_it_closes_and_where_it_opens(self):
         (self.folder / "threshold.csv").write_text(
@@ -191,6 +204,28 @@ class Report(unittest.TestCase):
                       "1 1e-06 ± 0 % 2e-06 ± 0 % 5e-06 ± 0 % 6e-06 ± 0 % 3e-06 ± 0 % 4e-06"):
             self.assertIn(words, table)
 
+    def test_realisations_at_reduced_loads(self):
+        """Each at a load of its own, as far below its critical load as the others."""
+        for k in (1, 2):
+            one = self.folder / f"realisation-{k}"
+            one.mkdir()
+            (one / "parameters.prm").write_text(SCENE)
+            (one / "leakage.csv").write_text(
+                "step,pressure,reduced_load,leak_rate,leak_rate_lower,leak_rate_upper,status\n"
+                f"1,0.05,{1 - 0.05 / k},9e-6,9e-6,9e-6,ok\n"
+                f"2,{0.7 * k},0.3,{k}e-6,{k}e-6,{k}e-6,ok\n"
+                f"3,{0.9 * k},{0.1 + 1e-17},{k}e-7,{k}e-7,{k}e-7,ok\n")
+        (self.folder / "run.json").unlink()
+        (self.folder / "ensemble.csv").write_text("realisation,seed,status\n1,7,ok\n2,8,ok\n")
+        (self.folder / "ensemble_summary.csv").write_text(
+            "quantity,mean,standard_deviation,samples,missing\ncritical_load,1.5,0.7,2,0\n")
+        text = self.text()
+        table = text.split("The realisations")[1].split("All of each realisation")[0]
+        for words in ("leak rate at 0.05 leak rate at 1 − L/Lc = 0.3 leak rate at 1 − L/Lc = 0.1",
+                      "1 9e-06 ± 0 % 1e-06 ± 0 % 1e-07 ± 0 % 2 9e-06 ± 0 % 2e-06 ± 0 % 2e-07"):
+            self.assertIn(words, table)
+        self.assertIn("critical_load 1.5 0.7 2 0", text)
+
     def test_a_limit_that_is_passed_without_a_number(self):
         checks = [{"word": "fluid-pressure", "number": number, "most": 0.1, "holds": holds,
                    "advice": "too high"} for number, holds in
@@ -215,6 +250,17 @@ class Errors(unittest.TestCase):
                                   "leak_rate_lower": np.array([0.9, 0.1, 0.98, 0.9]),
                                   "leak_rate_upper": np.array([1.1, 1., 1.36, 1.1])})
         np.testing.assert_allclose(errors, [0.1, 0.9, 0.36, 0.5])
+
+
+    def test_of_a_failed_step_no_bounds_hold(self):
+        errors = relative_errors({"leak_rate": np.ones(2), "leak_rate_lower": np.full(2, 0.9),
+                                  "leak_rate_upper": np.full(2, 1.1),
+                                  "status": np.array(["contact", "unresolved-throat"])})
+        np.testing.assert_allclose(errors, [np.nan, 0.1])
+
+    def test_in_percent_without_an_exponent(self):
+        self.assertEqual([percent(error) for error in (0.0123, 0.996, 2.54, 12.)],
+                         ["1.2 %", "100 %", "254 %", "12 times"])
 
 
 class Columns(unittest.TestCase):

@@ -277,6 +277,11 @@ class OfAFolder(unittest.TestCase):
         with open(self.folder / name, encoding="utf-8") as file:
             return list(csv.DictReader(file))
 
+    def test_a_folder_without_a_run(self):
+        result = self.assess(str(self.folder / "none"))
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"^whole_seal.py: there is no file \S+/none/parameters.prm; ")
+
     def test_a_seal_smaller_than_a_patch(self):
         self.write([[8., 2., 0.5]] * 4)
         self.assertNotIn("a patch is", self.assess().stdout)

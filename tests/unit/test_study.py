@@ -67,6 +67,11 @@ class Study(unittest.TestCase):
             self.assertIn("would change what the study varies", done.stderr)
             self.assertEqual((done.returncode, rows), (1, []))
 
+    def test_a_program_that_is_not_there(self):
+        done, _ = self.study("--program", "/none")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no program /none", done.stderr)
+
     def test_what_is_no_single_run(self):
         for program in (PROGRAM.replace("leakage.csv", "ensemble.csv"),
                         PROGRAM.replace("leak_rate,leak_rate_lower", "mean_gap,mean_gap_lower")):
