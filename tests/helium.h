@@ -7,7 +7,7 @@
 
 namespace strait
 {
-  /** Helium at 293.15 K, in SI units, from 2 bar to @p outlet_pressure. */
+  /** Helium at 293.15 K that flows from 2 bar to @p outlet_pressure, in SI units. */
   inline FluidParameters
   helium(const Rarefaction rarefaction, const double outlet_pressure = 0.)
   {
@@ -21,7 +21,7 @@ namespace strait
     return fluid;
   }
 
-  /** The same, whose coefficient of slip is one. */
+  /** Helium as above, slipping with the coefficient σ = 1. */
   inline FluidParameters
   slipping_helium(const double outlet_pressure = 0.)
   {

@@ -10,14 +10,14 @@
 
 namespace strait::test
 {
-  /** A folder that is there on all ranks as long as this object is. Collective. */
+  /** A folder that exists, for all ranks, as long as this object does. Collective. */
   class TemporaryFolder
   {
   public:
     TemporaryFolder()
     {
       run_on_root(MPI_COMM_WORLD, [this]() {
-        // mkdtemp() puts what is unique in the place of the six X.
+        // mkdtemp() replaces the six X by characters that make the name unique.
         folder = (std::filesystem::temp_directory_path() / "strait-XXXXXX").string();
         if (mkdtemp(folder.data()) == nullptr)
           throw ComputationError("There is no room for a folder '" + folder + "'.");

@@ -51,44 +51,44 @@ namespace strait
   {
     section.add("Enabled", enabled).meaning =
       "Let the fluid press the walls apart: contact and flow are solved in turn until "
-      "they agree. The pressures of the fluid then count from that outside the seal, "
-      "which the load is measured against.";
+      "they agree. The pressures of the fluid are then relative to the pressure outside "
+      "the seal, as the load is.";
     ParameterSection effect = section.when("Enabled = true");
     effect.add("Tolerance", tolerance, positive.below(1.)).meaning =
-      "Change of the fluid pressure (rms, over that of a reservoir, of the load where "
-      "reservoirs have none, or its own if that is more) below which contact and flow "
-      "agree; the leak rate then changes by less than that or a tenth of Fluid/Target "
-      "accuracy, whichever is more [1].";
+      "Contact and flow agree where the fluid pressure changes by less than this in a "
+      "round [1]: rms change over the pressure of a reservoir, over the load if "
+      "reservoirs have none, or over its own rms if that is more. The leak rate then "
+      "changes by less than this or a tenth of Fluid/Target accuracy, whichever is more.";
     effect.add("Maximum iterations", maximum_iterations, any_number.at_least(1)).meaning =
       "Rounds of contact and flow after which a step counts as not converged [1].";
     effect.add("Acceleration", plain_rounds, Names{"anderson", "none"}).meaning =
-      "anderson: combine the last rounds such that the change would be smallest; none: "
-      "take the pressure of the last round.";
+      "anderson: combine the last rounds such that the change of the pressure would be "
+      "smallest; none: take the pressure of the last round.";
     effect.add("Relaxation", relaxation, positive.at_most(1.)).meaning =
-      "Fraction of a change of the fluid pressure that is taken [1].";
+      "Fraction of the change of the fluid pressure that a round takes [1].";
     effect.add("Pool pressure", pool_pressure, any_number).meaning =
-      "Fluid pressure in open regions that no reservoir reaches; 0: they are dry "
-      "[pressure]. Where trapped fluid is not drained, that in which it is found at the "
-      "start of a path.";
+      "Fluid pressure in open regions that no reservoir reaches [pressure]; 0: they are "
+      "dry. If Trapped fluid is not drained, the pressure of the fluid that is trapped "
+      "at the start of a path.";
     effect
       .add("Trapped fluid",
            trapped_fluid,
            Names{"drained", "incompressible", "compressible", "gas"})
       .meaning =
-      "What becomes of fluid that is cut off from its reservoirs. drained: it has Pool "
-      "pressure, as in a seal that was assembled dry; otherwise it keeps its mass along "
-      "the load path. incompressible: it keeps its volume; compressible: a liquid of "
+      "Behaviour of fluid that is cut off from its reservoirs. drained: it has Pool "
+      "pressure, as in a seal that was assembled dry. Otherwise it keeps its mass along "
+      "the load path; incompressible: its volume stays; compressible: it is a liquid of "
       "Bulk modulus; gas: pressure times volume stays.";
     ParameterSection elastic = effect.when("Trapped fluid = compressible");
     elastic.add("Bulk modulus", bulk_modulus, not_negative).meaning =
-      "Of trapped fluid that is compressible, at pressure 0 [pressure].";
+      "bulk modulus of the trapped liquid at pressure 0 [pressure].";
     elastic.add("Bulk modulus slope", bulk_modulus_slope, not_negative).meaning =
-      "Derivative of the bulk modulus by the pressure [1].";
+      "derivative of the bulk modulus with respect to the pressure [1].";
     effect.when("Trapped fluid = incompressible, compressible")
       .add("Vapour pressure", vapour_pressure, any_number)
       .meaning =
-      "Trapped liquid that has too much room forms a cavity of this pressure; it counts "
-      "like all pressures from that outside the seal [pressure].";
+      "pressure of the cavity that trapped liquid forms where it has too much room "
+      "[pressure]; like all pressures it is relative to that outside the seal.";
   }
 
   void
@@ -128,9 +128,9 @@ namespace strait
     ParameterSection theory_too = section.when("Enabled = true | Theory/Enabled = true");
     ParameterSection effect     = section.when("Enabled = true");
     theory_too.add("State", is_gas, Names{"liquid", "gas"}).meaning =
-      "gas: pressures are absolute, leak_rate is the volume flow at their mean, and "
-      "throughputs may be asked for with Output/Leak rate units. The flow is viscous in "
-      "either case unless Rarefaction says otherwise.";
+      "gas: pressures are absolute, leak_rate is the volume flow at the mean of both "
+      "pressures, and Output/Leak rate units may ask for throughputs. Liquid and gas are "
+      "viscous unless Rarefaction says otherwise.";
     theory_too
       .add("Gas",
            gas,
@@ -139,48 +139,51 @@ namespace strait
                   return name.empty() || find_row(gases, name) != nullptr;
                 }})
       .meaning =
-      "Gives a gas its molar mass, and its viscosity at 293.15 K unless Viscosity is "
-      "given and not 1; needs the section Units. The column validity then tells where it "
-      "is rarefied.";
+      "Name of the gas, which gives its molar mass and, unless Viscosity is given and "
+      "not 1, its viscosity at 293.15 K; needs the section Units. The column validity "
+      "then tells where it is rarefied.";
     theory_too.add("Molar mass", molar_mass, not_negative).meaning =
-      "M: of a gas that Gas does not know, needs the section Units; 0: not known [kg/mol].";
+      "M: molar mass of a gas that Gas does not know [kg/mol]; needs the section Units. "
+      "0: not known.";
     theory_too.when("State = gas")
       .when("Gas | Molar mass | Output/Leak rate units")
       .add("Temperature", temperature, positive)
-      .meaning = "T, for its mean free path and its volume in sccm [K].";
+      .meaning = "T: temperature of the gas, for mean free path and volume in sccm [K].";
     theory_too.add("Rarefaction", rarefaction, Names{"none", "slip", "transitional"})
       .meaning =
-      "Of a gas. none: it is viscous in any gap; slip: it slips along the walls, to "
-      "first order in the mean free path over the gap; transitional: from viscous to "
-      "molecular flow, by the linearised BGK equation between walls that reflect "
-      "diffusely. Needs Gas or Molar mass.";
+      "Model of a gas; needs Gas or Molar mass. none: it is viscous in any gap; slip: it "
+      "slips along the walls, to first order in the mean free path over the gap; "
+      "transitional: from viscous to molecular flow, by the linearised BGK equation "
+      "between walls that reflect diffusely.";
     theory_too.when("Rarefaction = slip, transitional")
       .add("Accommodation", accommodation, positive.at_most(1.))
       .meaning =
-      "alpha: fraction of the molecules that the walls reflect diffusely, which makes "
-      "the coefficient of slip 1.1466 (2 - alpha)/alpha; for Rarefaction = slip [1].";
+      "alpha: fraction of the molecules that the walls reflect diffusely [1]. The slip "
+      "coefficient is 1.1466 (2 - alpha)/alpha; values other than 1 need Rarefaction = "
+      "slip.";
     effect.when("State = liquid")
       .add("Surface tension", surface_tension, not_negative)
       .meaning =
-      "gamma, which the column validity needs to compare the pressure across a meniscus "
-      "in the throat with the one that drives the flow; 0: not known [energy/area].";
+      "gamma: surface tension of the liquid [energy/area]; 0: not known. The column "
+      "validity compares the pressure across a meniscus in the throat with the one that "
+      "drives the flow.";
     theory_too.add("Viscosity", viscosity, positive).meaning =
-      "eta: dynamic viscosity of the fluid; at its default that of a named Gas is taken "
-      "[pressure * time].";
+      "eta: dynamic viscosity of the fluid [pressure * time]; at its default, that of a "
+      "named Gas is taken.";
     theory_too.add("Inlet pressure", inlet_pressure, any_number).meaning =
       "Fluid pressure at the inlet, x = 0 or y = 0 [pressure].";
     theory_too.add("Outlet pressure", outlet_pressure, any_number).meaning =
       "Fluid pressure at the outlet, x = Lx or y = Ly [pressure].";
     theory_too.add("Slip length", slip_lengths, any_number.at_most(0.)).meaning =
-      "d0, zero or negative: the conductivity is (g - 2|d0|)^3 / (12 eta), zero where "
-      "the gap g is below 2|d0| [length]. Of several values each gets its own row at "
-      "each load; the contact is solved once.";
+      "d0, zero or negative: the conductivity is (g - 2|d0|)^3 / (12 eta), and zero "
+      "where the gap g is below 2|d0| [length]. Each of several values gets its own row "
+      "at each load; the contact is solved once.";
     theory_too.add("Direction", direction, Names{"x", "y"}).meaning =
-      "The direction of the mean flow; the box is periodic across it.";
+      "Direction of the mean flow; the box is periodic across it.";
     theory_too.add_path("Mesh", mesh_file).meaning =
       "Gmsh file (MSH 4.1, ASCII, quadrilaterals) of the part of the box where the fluid "
-      "flows, with boundary ids 0 inlet, 1 outlet; all else is impermeable. Empty: the "
-      "whole box, periodic across Direction.";
+      "flows, with boundary ids 0 for inlet and 1 for outlet; all else is impermeable. "
+      "Empty: the whole box, periodic across Direction.";
     effect.add("Element degree", element_degree, any_number.at_least(1).at_most(2))
       .meaning =
       "Polynomial degree of the fluid pressure [1]; 1 is the robust choice on rough "
@@ -188,21 +191,21 @@ namespace strait
     effect.add("Preconditioner", preconditioner, Names{"boomeramg", "ml"}).meaning =
       "Algebraic multigrid of the flow equations: hypre's BoomerAMG or Trilinos' ML.";
     effect.add("Gap interpolation", interpolation, Names{"monotone cubic", "bilinear"})
-      .meaning = "The gap between the grid points.";
+      .meaning = "Interpolation of the gap between the grid points.";
     effect.add("Refinement", uniform_refinement, Names{"adaptive", "uniform"}).meaning =
-      "adaptive: refine where the leak rate is decided; uniform: refine all cells.";
+      "adaptive: refine the cells that decide the leak rate; uniform: refine all cells.";
     effect.add("Target accuracy", target_accuracy, positive.below(1.)).meaning =
-      "Relative accuracy of the leak rate at which refinement stops [1]; with Zoom that "
-      "of the whole number, of which the mesh takes half.";
+      "Relative accuracy of the leak rate at which refinement stops [1]. With "
+      "Contact/Zoom it is that of all errors together, of which the mesh takes half.";
     effect.add("Maximum unknowns", maximum_unknowns, any_number.at_least(1)).meaning =
-      "Refinement stops before the flow has more unknowns than about this, the first "
-      "mesh apart [1].";
+      "Refinement stops before the flow has more unknowns than about this [1]; only the "
+      "first mesh may have more.";
     effect.add("Bounds", rigorous_bounds, Names{"asymptotic", "rigorous"}).meaning =
-      "The leak rate's bounds, by integrals of the conductivity and its reciprocal from "
-      "above. asymptotic: by Gauss quadrature where the gap is known to vary little, "
-      "which is close but proves nothing; rigorous: their largest values in parts of "
-      "each cell take its place, so that the true value for the interpolated gap lies "
-      "between the bounds, which cannot come as close.";
+      "The bounds of the leak rate come from integrals of the conductivity and of its "
+      "reciprocal, taken from above. asymptotic: by Gauss quadrature where the gap is "
+      "known to vary little, which is close but proves nothing; rigorous: by the largest "
+      "values in parts of each cell, so that the true value for the interpolated gap "
+      "lies between the bounds, which cannot come as close.";
     feedback.bind(section.subsection("Wall feedback"));
   }
 

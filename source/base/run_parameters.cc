@@ -17,40 +17,45 @@ namespace strait
   ProgrammeParameters::bind(ParameterSection section)
   {
     section.add("Pressures", pressures, any_number).meaning =
-      "One step each, in this order: nominal pressures [pressure], or mean gaps [length] "
-      "if Contact/Control = mean gap.";
+      "Nominal pressures [pressure], or mean gaps [length] if Contact/Control = mean "
+      "gap; one step each, in this order.";
     section.add("Find threshold", find_threshold).meaning =
-      "Find the critical load L_c, the largest at which an open channel connects inlet "
-      "and outlet, before the steps; the table then has the column reduced_load.";
+      "Before the steps, find the critical load L_c, the largest at which an open "
+      "channel connects inlet and outlet; leakage.csv then has the column reduced_load.";
     section.add("Find blow-out", find_blow_out).meaning =
-      "With Fluid/Wall feedback: for each of Pressures find the inlet pressure at which "
-      "the seal begins to leak when it is raised, before the steps; see blow_out.csv.";
+      "With Fluid/Wall feedback: before the steps, find for each of Pressures the "
+      "blow-out pressure, at which the seal begins to leak when the inlet pressure is "
+      "raised; see blow_out.csv.";
     section.add("Find re-sealing", find_resealing).meaning =
-      "With Find blow-out: find the inlet pressure, too, at which the seal that has "
-      "blown out closes again when it is lowered; about as many solves more.";
+      "With Find blow-out: find also the re-sealing pressure, at which the blown-out "
+      "seal closes again when the inlet pressure is lowered; takes about as many solves "
+      "again.";
     section.when("Find threshold = true | Find blow-out = true")
       .add("Threshold tolerance",
            threshold_tolerance,
            any_number.at_least(1e-9).at_most(0.1))
-      .meaning = "Relative width of the brackets of L_c and of blow-out pressures [1].";
+      .meaning =
+      "Relative width of the brackets of the critical load L_c and of blow-out and "
+      "re-sealing pressures [1].";
     section.add("Reduced loads", reduced_loads, positive.below(1.)).meaning =
-      "Further steps at these values of 1 - L/L_c, once L_c is known, on a path of their "
-      "own that begins anew [1].";
+      "Further steps at these values of 1 - L/L_c [1], with Find threshold. They follow "
+      "the others on a path of their own, which begins anew.";
     section.when("Find threshold = true")
       .add("Largest reduced load of fits", largest_fitted, not_negative.at_most(1.))
-      .meaning = "Exponents are fitted to the steps up to this value of 1 - L/L_c [1].";
+      .meaning = "exponents are fitted to the steps with 1 - L/L_c up to this value [1].";
     section.when("Contact/Enabled = true")
       .add("Path", path, Names{"loading", "unloading", "cycle"})
       .meaning =
-      "From which side the threshold is approached, and the order of the steps at "
-      "Reduced loads: loading (towards larger loads) or unloading; with adhesion it also "
-      "says whether the first state is that of no adhesion (loading) or of full contact "
-      "(unloading). cycle: loading, and the Pressures then back in the reverse order.";
+      "Side from which the threshold is approached, and order of the steps at Reduced "
+      "loads: loading (towards larger loads) or unloading (towards smaller ones). With "
+      "adhesion the first state is that without adhesion (loading) or that of full "
+      "contact (unloading). cycle: as loading, and the Pressures then back in the "
+      "reverse order.";
     section.when("Contact/Adhesion/Enabled = true")
       .add("Jump tolerance", jump_tolerance, not_negative.at_most(1.))
       .meaning =
-      "With adhesion: width to which the load of a jump is enclosed, in units of the "
-      "largest of Pressures; 0: jumps are not looked for [1].";
+      "With adhesion: width to which the load of a jump is enclosed, as a fraction of "
+      "the largest of Pressures [1]; 0: jumps are not looked for.";
   }
 
   void
@@ -80,16 +85,16 @@ namespace strait
   RealisationParameters::bind(ParameterSection section)
   {
     section.add("Seeds", seeds, not_negative.at_most(largest_seed)).meaning =
-      "Run the scene for each of these seeds instead of Surface/Seed, each with its own "
-      "folder of results; compare them in ensemble.csv.";
+      "Run the scene once for each of these seeds in place of Surface/Seed, each with "
+      "its own folder of results; ensemble.csv compares them.";
     section.add("Orientations", orientations, orientation_names).meaning =
       "Run each seed in these orientations; Surface/Invert and Rotate turn a single run.";
     section.when("Seeds | Orientations")
       .add("Ranks each", ranks_each, any_number.at_least(1))
       .meaning =
-      "How many ranks run a realisation together, one number that divides the number of "
-      "ranks: groups of so many run realisations at the same time. Empty: all ranks run "
-      "one after the other.";
+      "Number of ranks that run one realisation together, a divisor of the number of all "
+      "ranks; the groups run realisations at the same time. Empty: all ranks together "
+      "run one after the other.";
   }
 
   void
@@ -107,27 +112,28 @@ namespace strait
   WholeSealParameters::bind(ParameterSection section)
   {
     section.add("Enabled", enabled).meaning =
-      "Leak rate of a whole seal, with its uncertainty, from the realisations as patches "
-      "of it; see seal.csv.";
+      "Estimate the leak rate of a whole seal and its uncertainty, with the realisations "
+      "as patches of it; see seal.csv.";
     ParameterSection effect = section.when("Enabled = true");
     effect.add("Circumference", circumference, not_negative).meaning =
       "Length of the seal across the flow [length].";
     effect.add("Contact width", contact_width, not_negative).meaning =
       "Width of the contact along the flow, the same at all loads [length].";
     effect.add_path("Pressure profile", pressure_profile, "hertz").meaning =
-      "How the contact pressure is distributed over the width. Empty: uniform; hertz: "
-      "that of a cylinder on a plane, which vanishes at both edges; else a table of two "
-      "columns, position [length] and pressure, say of a finite-element program. A "
-      "nominal pressure is then the mean over the width, which takes two patches at least.";
+      "Distribution of the contact pressure over the width. Empty: uniform; hertz: that "
+      "of a cylinder on a plane, which vanishes at both edges; else a table of two "
+      "columns, position [length] and pressure, for example from a finite-element "
+      "program. A nominal pressure is then the mean over the width, and at least two "
+      "patches must lie along it.";
     effect.add("Isotropic", isotropic).meaning =
-      "true: rotated realisations are further samples of the flow along; false: they "
-      "give the conductances across, for a surface with a lay.";
+      "true: rotated realisations are further samples of the conductance along the flow; "
+      "false: they give that across the flow, for a surface with a lay.";
     effect.add("Wanted leak rate", wanted_leak_rate, not_negative).meaning =
-      "Find the load at which the whole seal leaks as much, in the first of Output/Leak "
-      "rate units if that is set; 0: do not [length^3/time].";
+      "Find the load at which the whole seal has this leak rate, in the first of "
+      "Output/Leak rate units if that is set [length^3/time]; 0: do not.";
     section.add("Two in a row", two_in_a_row).meaning =
-      "Of a single box: solve the flow through two of it as well, one behind the other. "
-      "The patches of a seal that is wider than one do so by themselves.";
+      "For a single box: solve also the flow through two copies of it, one behind the "
+      "other. The patches of a seal that is wider than one patch do so by themselves.";
   }
 
   void
@@ -143,34 +149,32 @@ namespace strait
   TheoryParameters::bind(ParameterSection section)
   {
     section.add("Enabled", enabled).meaning =
-      "Persson's contact theory and an effective medium beside each step. With Contact "
-      "and Fluid off they are evaluated alone, for every load of Load "
-      "programme/Pressures and without a grid.";
+      "Evaluate Persson's contact theory and an effective medium beside each step. With "
+      "Contact and Fluid off they are evaluated alone, without a grid, for every load of "
+      "Load programme/Pressures.";
     ParameterSection effect = section.when("Enabled = true");
     effect.add("Spectrum", spectrum_of_surface, Names{"model", "surface"}).meaning =
-      "model: what a self-affine surface has on average, in closed form; surface: that "
-      "of the heights on the grid.";
+      "model: the average spectrum of a self-affine surface, in closed form; surface: "
+      "that of the heights on the grid.";
     effect.add("Gap distribution", simulated_gaps, Names{"persson", "simulated"})
       .meaning =
-      "The gaps that the effective medium is made of: persson, those of the theory; "
-      "simulated, those of the step.";
+      "Gaps that the effective medium is made of. persson: those of the theory; "
+      "simulated: those of the step.";
     effect
       .add("Dimension parameter",
            dimension,
            Names{"bruggeman", "critical fraction", "from threshold"})
       .meaning =
       "n of the effective medium, which seals at the contact fraction 1 - 1/n. "
-      "bruggeman: n = 2; critical fraction: from the fraction given below; from "
-      "threshold: such that it seals at the critical load of this run (Load "
+      "bruggeman: n = 2; critical fraction: n from Critical contact fraction; from "
+      "threshold: n such that it seals at the critical load of this run (Load "
       "programme/Find threshold).";
     section.when("Dimension parameter = critical fraction")
       .add("Critical contact fraction", critical_fraction, positive.below(1.))
-      .meaning =
-      "Contact fraction at which the effective medium seals, for Dimension parameter = "
-      "critical fraction [1].";
+      .meaning = "contact fraction at which the effective medium seals [1].";
     effect.add("Gamma", gamma, positive.at_most(1.)).meaning =
-      "Persson's gamma, the fraction of the elastic energy of full contact that is stored "
-      "at low loads [1].";
+      "Persson's gamma, the fraction of the elastic energy of full contact that is "
+      "stored at low loads [1].";
   }
 
   void
@@ -189,15 +193,15 @@ namespace strait
     section.add("Pictures", pictures).meaning =
       "Draw a picture of each step and of the leak rate against the load.";
     section.add("Error budget", error_budget).meaning =
-      "Estimate the leak rate's errors from contact grid and gap interpolation as well, "
-      "from solutions on coarser grids, and that of blow-out pressures and, where the "
-      "past matters, of critical loads; about doubles the time.";
+      "Estimate also the errors of the leak rate from contact grid (by coarser grids) "
+      "and gap interpolation, those of blow-out and re-sealing pressures and, where "
+      "states depend on the load path, of critical loads; about doubles the time.";
     section.add("Checkpoint", checkpoint).meaning =
-      "Keep after every step what --resume needs to continue the run: 20 bytes a grid "
-      "point on the disk for a dry contact, 28 with adhesion, 8 more with Wall feedback "
-      "or Yielding, and the time to write that.";
+      "Keep after every step what --resume needs to continue the run. It takes 20 bytes "
+      "a grid point on the disk for a dry contact, 28 with adhesion, 8 more with Wall "
+      "feedback or Yielding, and the time to write that.";
     section.add("Surface map", surface_map).meaning =
-      "Write the surface on the grid, processed, as NetCDF (surface.nc), and at the end "
+      "Write the processed surface on the grid as NetCDF (surface.nc) and, at the end, "
       "as a contact that yields has left it (surface-indented.nc).";
     section.add("Surface spectrum", surface_spectrum).meaning =
       "Write and draw the spectrum of the surface (spectrum.csv).";
@@ -212,7 +216,7 @@ namespace strait
                   return find_row(strait::leak_rate_units, name) != nullptr;
                 }})
       .meaning =
-      "Columns with the leak rate in units of the trade; needs the section Units. The "
-      "last four are throughputs of a gas, for Fluid/State = gas.";
+      "Add columns with the leak rate in these customary units; needs the section Units. "
+      "The last four are throughputs of a gas, for Fluid/State = gas.";
   }
 } // namespace strait

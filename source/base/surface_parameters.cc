@@ -40,40 +40,42 @@ namespace strait
                                 parse_length_unit(text).metres;
                        }};
     section.add_path("File", file).meaning =
-      "a measured map: what tools/strait_import leaves of an instrument's "
-      "file (NetCDF), .npy, or a matrix of numbers below a header of units; a relative "
+      "measured map: a NetCDF file that tools/strait_import made from an instrument's "
+      "file, an .npy file, or a matrix of numbers below a header of units. A relative "
       "path starts at the folder of the scene file (with --set: at the current folder).";
     section.add_path("Second file", second_file).meaning =
-      "the map of the other body, if that is rough as well; turned over (x "
-      "to -x) and added.";
+      "map of the other body, if that is rough as well; it is turned over (x to -x) and "
+      "added.";
     section.add("Height unit", height_unit, unit).meaning =
-      "what 1 in the file is high; scene: the scene's unit of length; "
-      "empty: what the file states, or the scene's if it states no unit at all.";
+      "height that 1 in the file stands for; scene: the scene's unit of length; empty: "
+      "what the file states, or the scene's if it states no unit at all.";
     section.add("Lateral unit", lateral_unit, unit).meaning =
-      "the same of the size that the file states.";
+      "length that 1 in the file's size stands for, likewise.";
     section.add("Largest missing share", largest_missing_share, not_negative.at_most(1.))
       .meaning =
-      "missing points are filled by harmonic interpolation if they are not "
-      "more than this fraction of all [1].";
+      "largest fraction of missing points that is accepted [1]; they are filled by "
+      "harmonic interpolation.";
     section.add("Windows", windows, any_number.at_least(1).at_most(1000)).meaning =
-      "cut the map into so many equal windows along x and y, and take the "
-      "one with the number Seed, counted along x from 1; one number: both [1].";
+      "numbers of equal windows along x and y into which the map is cut [1]; one number: "
+      "both. Seed is the number of the window that is used, counted along x from 1.";
     section.add("Detrend", detrend, Names{"none", "mean", "tilt", "curvature"}).meaning =
-      "subtract the mean, the plane (tilt) or the paraboloid (curvature) of "
-      "least squares.";
+      "least-squares fit that is subtracted from the heights: mean, plane (tilt) or "
+      "paraboloid (curvature).";
     section.add("Make periodic", make_periodic, Names{"no", "window", "mirror"}).meaning =
       "no: the map is one period as it is; window: heights fade to their "
       "mean at the edges; mirror: the map and its mirror images, twice as long and wide.";
     section.when("Make periodic = window")
       .add("Window width", window_width, positive.at_most(0.5))
-      .meaning = "fraction of the sides over which heights fade, at each edge [1].";
+      .meaning =
+      "width of the rim in which heights fade at each edge, as a fraction of the side "
+      "[1].";
     section.add("Resample", resample).meaning =
-      "bring the map to Contact/Grid points by Fourier interpolation; "
-      "false: the grid must be the map's.";
+      "true: bring the map to Contact/Grid points by Fourier interpolation; false: the "
+      "grid must be the map's.";
     section.add("Shortest wavelength", shortest_wavelength, not_negative).meaning =
-      "waves shorter than this are removed; 0: none [length].";
+      "waves shorter than this are removed [length]; 0: none.";
     section.add("Longest wavelength", longest_wavelength, not_negative).meaning =
-      "waves longer than this are removed; 0: none [length].";
+      "waves longer than this are removed [length]; 0: none.";
   }
 
   void
@@ -115,44 +117,44 @@ namespace strait
                  "file"})
       .meaning = "The height profile h(x, y) of the rigid substrate.";
     section.add("Size", size, positive).meaning =
-      "Lx, Ly: sides of the periodic box [length]; one number: a square. Kind = file: if "
-      "empty, the map's own.";
+      "Lx, Ly: sides of the periodic box [length]; one number: a square. Kind = file, if "
+      "empty: the size of the map.";
     // The theory alone needs heights only if their spectrum is asked for.
     ParameterSection heights = section.when(
       "Contact/Enabled = true | Fluid/Enabled = true | Theory/Spectrum = surface");
     heights.when("Kind = self-affine, file")
       .add("Seed", seed, not_negative.at_most(largest_seed))
       .meaning =
-      "number of the realisation, which gives the same surface on every grid and number of "
+      "number of the random surface, which is the same on every grid and number of "
       "ranks, or of the window of a map.";
     ParameterSection of_law = section.when("Kind = self-affine");
     of_law.add("Hurst exponent", hurst_exponent, positive.at_most(1.)).meaning =
-      "H; the spectrum falls as q^(-2(1+H)) [1].";
+      "H [1]; the spectrum falls as q^(-2(1+H)).";
     of_law.add("Roll-off wavelength", roll_off_wavelength, positive).meaning =
-      "longest wavelength of the self-affine range; the spectrum is "
-      "constant above it [length].";
+      "longest wavelength of the self-affine range [length]; the spectrum is constant "
+      "above it.";
     of_law.add("Short cut-off wavelength", short_cut_off_wavelength, positive).meaning =
-      "no roughness below this wavelength [length].";
+      "shortest wavelength of the roughness [length].";
     heights.when("Kind = self-affine")
       .add("Amplitudes", amplitudes, Names{"gaussian", "fixed"})
       .meaning =
       "amplitudes of the waves drawn at random (gaussian), or equal "
       "to the spectrum with random phases only (fixed).";
     of_law.add("Normalisation", rms_is_of_height, Names{"rms slope", "rms height"})
-      .meaning = "what RMS value prescribes.";
+      .meaning = "quantity that RMS value prescribes.";
     of_law.add("RMS value", rms_value, not_negative).meaning =
-      "rms slope [1] or rms height [length]; with gaussian amplitudes the root of the mean "
-      "square over all seeds, around which single surfaces scatter.";
+      "rms slope [1] or rms height [length]. With gaussian amplitudes it is the root of "
+      "the mean square over all seeds, around which single surfaces scatter.";
     section.when("Kind = square saddle, triangular peaks, honeycomb peaks, sine, sphere")
       .add("Amplitude", amplitude, not_negative)
-      .meaning = "the amplitude Delta [length], of a sphere its radius [length].";
+      .meaning = "amplitude Delta [length]; for a sphere its radius [length].";
     section.when("Kind = expression")
       .add("Expression",
            expression,
            Text{"text", [](const std::string &) { return true; }})
       .meaning =
-      "h [length] as a formula of x and y [length], in muParser's syntax, that repeats "
-      "with the box; pi and its sides lx and ly are known.";
+      "height h [length] as a formula of x and y [length], in muParser's syntax, that "
+      "should repeat with the box; pi and the sides lx and ly are known.";
     map.bind(section.when("Kind = file"));
     heights.add("Invert", invert).meaning = "Use -h instead of h.";
     heights.add("Rotate", rotate).meaning = "Rotate the surface by 90 degrees.";

@@ -94,7 +94,7 @@ namespace strait
                   }};
     };
     section.add("Length", length, unit_or_nothing(length_units, metres_in)).meaning =
-      "Unit of all lengths of the scene and its results; empty: not stated, and metres "
+      "Unit of all lengths in the scene and its results; empty: not stated, or metres "
       "where a file states units.";
     section
       .add("Pressure",
@@ -102,6 +102,6 @@ namespace strait
            unit_or_nothing("Pa, kPa, MPa, GPa, mbar, bar, N/mm2", pascals_in))
       .meaning = "Unit of all pressures and moduli; empty: not stated.";
     section.add("Time", time, unit_or_nothing("s, ms, min, h", seconds_in)).meaning =
-      "Unit of time, in the viscosity and the leak rate; empty: not stated.";
+      "Unit of time in the viscosity and the leak rate; empty: not stated.";
   }
 } // namespace strait

@@ -37,21 +37,21 @@ namespace strait
       return made_by_script(
         "fit.csv",
         with_threshold(scene),
-        "Exponents of leak rate and throat against ε = 1 − L/L_c.",
+        "Exponents with which leak rate and throat depend on ε = 1 − L/L_c.",
         {"quantity: `leak_rate`, `throat_gap`, `throat_length` or `throat_width`",
-         "slip_length [length]: d0",
-         ("kind: `local`: the slope between neighbouring steps; `fit`: least squares "
-          "over the steps with `status` ok up to `Largest reduced load of fits`"),
+         "slip_length [length]: slip length d0",
+         ("kind: `local`: slope between neighbouring steps; `fit`: least squares over "
+          "the steps with `status` ok up to `Largest reduced load of fits`"),
          "from [1]: smallest ε of the steps",
          "to [1]: largest ε",
-         "exponent [1]: β of quantity ∝ ε^β",
+         "exponent [1]: exponent β of quantity ∝ ε^β",
          "error [1]: standard error of the fit; 0 for two steps",
          "points [1]: number of steps",
-         ("closing_law [1]: of a local exponent: what the law of closing says of it, with "
-          "its one constant fitted to those of the leak rate up to `Largest reduced load "
+         ("closing_law [1]: for a local exponent, the value by the law of closing, whose "
+          "one constant is fitted to those of the leak rate up to `Largest reduced load "
           "of fits`, see [theory.md](theory.md); `nan` with `Rarefaction` or `Adhesion`, "
           "for which there is no such law"),
-         "status: `ok`, or the words of `status` in leakage.csv of all its steps"});
+         "status: `ok`, or the words of `status` in leakage.csv of all steps used"});
     }
 
     /** How quantities scatter over the realisations. */
@@ -63,13 +63,14 @@ namespace strait
         {"with the section `Realisations` and `Load programme/Find threshold`",
          scene.realisations.enabled() && scene.programme.find_threshold},
         "One row for each quantity.",
-        {("quantity: `critical_load`, the middle of its bracket, "
-          "`crossover_reduced_load`, ε_x, or a column of ensemble.csv"),
-         "mean [of the quantity]: over the realisations",
-         "standard_deviation [of the quantity]: over the realisations; `nan` of one",
-         "samples [1]: realisations for which the quantity is known",
-         ("missing [1]: those for which it is not; `status` in ensemble.csv tells why, or "
-          "`Reduced loads` has too few steps for it")});
+        {("quantity: `critical_load` (the middle of its bracket), "
+          "`crossover_reduced_load` (ε_x), or a column of ensemble.csv"),
+         "mean [of the quantity]: mean over the realisations",
+         ("standard_deviation [of the quantity]: standard deviation over the "
+          "realisations; `nan` for a single one"),
+         "samples [1]: number of realisations for which the quantity is known",
+         ("missing [1]: number of those for which it is not; `status` in ensemble.csv "
+          "tells why, or `Reduced loads` has too few steps for it")});
     }
 
     /** The leak rate of the whole seal, from the realisations. */
@@ -79,22 +80,25 @@ namespace strait
       return made_by_script(
         "seal.csv",
         {"with `Seal/Enabled`", scene.seal.enabled},
-        ("The leak rate of the whole seal, one row for each load whose pressures over the "
-         "width are covered by those of the patches; see [seal.md](seal.md)."),
-        {"pressure [pressure]: nominal, mean over the width",
-         "leak_rate_median [of the column unit]: as likely exceeded as not",
-         "leak_rate_5_percent [of the column unit]: exceeded with a probability of 95 %",
-         "leak_rate_95_percent [of the column unit]: with one of 5 %",
-         ("unit: of the leak rates: the first of `Output/Leak rate units`, or that of "
-          "the scene; empty if that states none"),
+        ("The leak rate of the whole seal, one row for each load whose pressures over "
+         "the width are covered by those of the patches; see [seal.md](seal.md)."),
+        {"pressure [pressure]: nominal pressure, the mean over the width",
+         ("leak_rate_median [of the column unit]: median leak rate: as likely exceeded "
+          "as not"),
+         ("leak_rate_5_percent [of the column unit]: leak rate exceeded with a "
+          "probability of 95 %"),
+         ("leak_rate_95_percent [of the column unit]: leak rate exceeded with a "
+          "probability of 5 %"),
+         ("unit: unit of the leak rates: the first of `Output/Leak rate units`, or that "
+          "of the scene; empty if that states none"),
          "sealed [1]: fraction of the seals that do not leak",
          ("scatter_patches [1]: standard deviation of ln Q that more patches would "
           "reduce"),
-         ("scatter_arrangement [1]: the same between seals of this size and surface, "
-          "which nothing reduces"),
-         ("solution_error [1]: relative error of the leak rates of patches that leak, their "
-          "mean: `leak_rate_error` where it is known, else how far the further of their "
-          "bounds is")});
+         ("scatter_arrangement [1]: standard deviation of ln Q between seals of this "
+          "size and surface, which nothing reduces"),
+         ("solution_error [1]: mean relative error of the leak rates of the patches that "
+          "leak: `leak_rate_error` where it is known, else the distance to the farther "
+          "of their bounds")});
     }
 
     /** The load for the wanted leak rate of the whole seal. */
@@ -107,11 +111,11 @@ namespace strait
          scene.seal.enabled && scene.seal.wanted_leak_rate > 0.},
         ("The load at which the whole seal leaks as wanted; `nan` where it lies beyond "
          "the loads of seal.csv."),
-        {"wanted_leak_rate [of the column unit]: `Seal/Wanted leak rate`",
-         "unit: as in seal.csv",
-         "load [pressure]: where the median is as wanted",
-         "load_5_percent [pressure]: where the 5 % quantile is",
-         ("load_95_percent [pressure]: where the 95 % quantile is: enough with a "
+        {"wanted_leak_rate [of the column unit]: value of `Seal/Wanted leak rate`",
+         "unit: unit of the leak rate, as in seal.csv",
+         "load [pressure]: load at which the median leak rate is as wanted",
+         "load_5_percent [pressure]: load at which the 5 % quantile is as wanted",
+         ("load_95_percent [pressure]: load at which the 95 % quantile is: enough with a "
           "probability of 95 %")});
     }
   } // namespace
@@ -124,26 +128,31 @@ namespace strait
                             "One row for each slip length; loads are nominal pressures.");
     table
       .add(&Transition::lower,
-           "critical_load_lower [pressure]: largest load known to leak")
+           "critical_load_lower [pressure]: largest load known to leak, below the "
+           "critical load L_c")
       .add(&Transition::upper,
-           "critical_load_upper [pressure]: smallest load known to seal")
+           "critical_load_upper [pressure]: smallest load known to seal, above L_c")
       .add(
         &Transition::grid_error,
-        "critical_load_error [1]: how far from there, relative, finer points may have it: "
-        "1 − L/L_c at which half a spacing is left along the throat, and in windows and "
-        "where the past matters what every second point changes as well, times three, or "
-        "half of what they change against every fourth if that is more; elsewhere three "
-        "times what they change if that is more than three times what they told; where "
-        "the past matters `nan` without `Output/Error budget`; `inf` in a crease of the "
-        "surface, which only the points close")
+        "critical_load_error [1]: estimated relative shift of L_c by finer points: the 1 "
+        "− L/L_c at which half a spacing is left along the throat. In windows and where "
+        "states depend on the load path, three times the change from every second point "
+        "to all is added, or half of that from every fourth to every second point if "
+        "that is more. Elsewhere it is three times that change if the change itself "
+        "exceeds three times the estimate on every second point. `nan` where states "
+        "depend on the path, without `Output/Error budget` or `Contact/Zoom`; `inf` in a "
+        "crease at the edges of a sphere's box or of a mirrored map, which only the "
+        "spacing of the points lets close")
       .add(&Transition::contact_area,
-           "contact_area [1]: fraction in contact at the lower one")
+           "contact_area [1]: fraction in contact at `critical_load_lower`")
       .add([](const Transition &t) { return t.bottleneck[0]; },
-           "x [length]: place of the last constriction there")
-      .add([](const Transition &t) { return t.bottleneck[1]; }, "y [length]: likewise")
-      .add(&Transition::slip_length, "slip_length [length]: d0")
-      .add(&Transition::n_solves, "contact_solves [1]: loads that were tried")
-      .add(&Transition::fft_pairs, "fft_pairs [1]: of these solves");
+           "x [length]: x of the last constriction at `critical_load_lower`")
+      .add([](const Transition &t) { return t.bottleneck[1]; },
+           "y [length]: y of the same point")
+      .add(&Transition::slip_length, "slip_length [length]: slip length d0")
+      .add(&Transition::n_solves, "contact_solves [1]: loads that the search tried")
+      .add(&Transition::fft_pairs,
+           "fft_pairs [1]: pairs of Fourier transforms of these solves");
     return table;
   }
 
@@ -152,32 +161,38 @@ namespace strait
   {
     Table<Step> table("constrictions.csv",
                       with_threshold(scene),
-                      "One row for each step that leaks: where the pressure drops.");
+                      "One row for each step that leaks: the constrictions at which the "
+                      "pressure drops.");
     table.add(&Step::number, "step [1]: as in leakage.csv")
       .add([](const Step &step) { return step.state.contact->nominal_pressure; },
            "pressure [pressure]: nominal pressure")
       .add([](const Step &step) { return step.state.control.slip_length; },
-           "slip_length [length]: d0")
+           "slip_length [length]: slip length d0")
       .add([](const Step &step) { return step.reduced_load.value_or(std::nan("")); },
            "reduced_load [1]: 1 − L/L_c")
       .add([](const Step &step) { return step.place_of_bottleneck()[0]; },
-           "x [length]: narrowest point of the path of least resistance")
+           "x [length]: x of the throat, the narrowest point of the path of least "
+           "resistance")
       .add([](const Step &step) { return step.place_of_bottleneck()[1]; },
-           "y [length]: likewise")
+           "y [length]: y of the same point")
       .add([](const Step &step) { return step.flow->channel.throat.gap; },
-           "gap [length]: g0 of the throat there")
+           "gap [length]: gap g0 of the throat there")
       .add([](const Step &step) { return step.flow->channel.throat.length; },
-           "length [length]: along the channel, within which the gap doubles")
+           "length [length]: length of the throat along the channel, over which the gap "
+           "doubles")
       .add([](const Step &step) { return step.flow->channel.throat.width; },
-           "width [length]: across it, at which the gap would vanish")
+           "width [length]: width of the throat across the channel, at which the gap "
+           "would vanish")
       .add([](const Step &step) { return step.flow->constrictions->points_along; },
-           "points_along [1]: the length in grid spacings")
+           "points_along [1]: `length` of the throat in grid spacings")
       .add([](const Step &step) { return step.flow->constrictions->fraction_at_worst; },
-           "share_of_worst [1]: largest part of the pressure drop at one of them")
+           "share_of_worst [1]: largest part of the pressure drop that falls at one "
+           "constriction")
       .add([](const Step &step) { return step.flow->constrictions->n_constrictions; },
-           "constrictions [1]: how many there are along the path")
+           "constrictions [1]: number of constrictions along the path")
       .add([](const Step &step) { return step.flow->constrictions->n_for_90_percent; },
-           "constrictions_for_90_percent [1]: how many carry 90 % of the pressure drop");
+           "constrictions_for_90_percent [1]: fewest constrictions that carry 90 % of "
+           "the pressure drop");
     return table;
   }
 
@@ -194,32 +209,35 @@ namespace strait
            "when it is raised at this load")
       .add(
         [](const BlowOut &found) { return found.opening.upper; },
-        "blow_out_pressure_upper [pressure]: smallest known to leak; 0 or the outlet's: "
-        "it leaks by itself")
+        "blow_out_pressure_upper [pressure]: smallest inlet pressure known to leak then; "
+        "0 or the outlet's if the seal leaks by itself")
       .add([](const BlowOut &found) { return found.opening.contact_area; },
-           "contact_area [1]: fraction in contact at the former")
+           "contact_area [1]: fraction in contact at `blow_out_pressure_lower`")
       .add([](const BlowOut &found) { return found.opening.bottleneck[0]; },
-           "x [length]: the point that opens")
+           "x [length]: x of the point that opens")
       .add([](const BlowOut &found) { return found.opening.bottleneck[1]; },
-           "y [length]: likewise")
+           "y [length]: y of the same point")
       .add([](const BlowOut &found) { return found.opening.n_solves; },
-           "solves [1]: of contact and flow")
+           "solves [1]: solves of contact and flow")
       .when({"with `Find re-sealing`", scene.programme.find_resealing})
       .add([](const BlowOut &found) { return found.closing->lower; },
            "resealing_pressure_lower [pressure]: largest inlet pressure known to be held "
-           "when it is lowered from where it leaks; both 0 or the outlet's: the seal "
-           "stays open; both `nan`: adhesive walls part as soon as it leaks")
+           "when it is lowered from where the seal leaks. Both bounds are 0 or the "
+           "outlet's if the seal stays open, and `nan` if adhesive walls part as soon as "
+           "it leaks")
       .add([](const BlowOut &found) { return found.closing->upper; },
-           "resealing_pressure_upper [pressure]: smallest known to leak then")
+           "resealing_pressure_upper [pressure]: smallest inlet pressure known to leak "
+           "when it is lowered")
       .when({"with `Output/Error budget`", scene.output.error_budget})
       .add([](const BlowOut &found) { return found.opening.grid_error; },
-           "blow_out_pressure_error [1]: how far from there, relative, finer points may "
-           "have it: three times what every second point changes or, if that is more, "
-           "half of what they change against every fourth; `nan` if they tell none")
+           "blow_out_pressure_error [1]: estimated relative shift of the blow-out "
+           "pressure by finer points: three times the change from every second point to "
+           "all or, if that is more, half of that from every fourth to every second "
+           "point; `nan` if these give no estimate")
       .when({"with `Output/Error budget` and `Find re-sealing`",
              scene.output.error_budget && scene.programme.find_resealing})
       .add([](const BlowOut &found) { return found.closing->grid_error; },
-           "resealing_pressure_error [1]: likewise");
+           "resealing_pressure_error [1]: likewise for the re-sealing pressure");
     return table;
   }
 
@@ -235,8 +253,8 @@ namespace strait
     Table<Jump> table("jumps.csv",
                       {"with adhesion",
                        scene.contact.enabled && scene.contact.adhesion.enabled},
-                      "One row for each discontinuity on the way from load to load, "
-                      "between the last state before and the first one after.");
+                      "One row for each jump on the way from load to load, between the "
+                      "last state before it and the first one after it.");
     table
       .add(
         [](const Jump &jump) -> std::string {
@@ -245,23 +263,24 @@ namespace strait
                                                                       : "opening";
         },
         "kind: `closing` or `opening` by the change of the contact area, or `pull-off` "
-        "where the surfaces part: no state follows, gap and area after it are `nan`")
+        "if the surfaces part: no state follows, and gap and area after it are `nan`")
       .add([](const Jump &jump) { return jump.before.pressure; },
-           "pressure_before [pressure]: nominal pressure")
-      .add(
-        [](const Jump &jump) { return jump.after.pressure; },
-        "pressure_after [pressure]: at most `Load programme/Jump tolerance` from it, or a "
-        "warning says that some are farther")
+           "pressure_before [pressure]: nominal pressure before the jump")
+      .add([](const Jump &jump) { return jump.after.pressure; },
+           "pressure_after [pressure]: nominal pressure after it, at most `Load "
+           "programme/Jump tolerance` away, or a warning says that some are farther")
       .add([](const Jump &jump) { return jump.before.mean_gap; },
-           "mean_gap_before [length]: as in leakage.csv")
-      .add(after(&PathPoint::mean_gap), "mean_gap_after [length]: likewise")
+           "mean_gap_before [length]: mean gap before the jump, as in leakage.csv")
+      .add(after(&PathPoint::mean_gap), "mean_gap_after [length]: mean gap after it")
       .add([](const Jump &jump) { return jump.before.contact_area; },
-           "contact_area_before [1]: as in leakage.csv")
-      .add(after(&PathPoint::contact_area), "contact_area_after [1]: likewise")
+           "contact_area_before [1]: contact area before it, as in leakage.csv")
+      .add(after(&PathPoint::contact_area),
+           "contact_area_after [1]: contact area after it")
       .add(&Jump::dissipated,
-           "dissipated_energy [pressure length]: per area: what the energy falls short "
-           "of the reversible change, half the sum of mean gap × change of load at both "
-           "ends; uncertain by half the difference, and `nan` of a pull-off");
+           "dissipated_energy [pressure length]: dissipated energy per area: what the "
+           "change of the energy falls short of the reversible one, half the sum of mean "
+           "gap × change of load at both ends; uncertain by half their difference, and "
+           "`nan` for a pull-off");
     return table;
   }
 
@@ -272,11 +291,11 @@ namespace strait
       "relaxation-" + step + ".csv",
       {"with `Contact/Adhesion/Trajectory`", scene.contact.adhesion.write_relaxation},
       "One row for each iteration at the last load of the step.");
-    table.add(&RelaxationStep::iteration, "iteration [1]: its number")
+    table.add(&RelaxationStep::iteration, "iteration [1]: number of the iteration")
       .add(&RelaxationStep::energy, "energy [pressure length]: energy per area")
       .add(&RelaxationStep::residual, "residual [1]: `contact_residual` of leakage.csv")
       .add(&RelaxationStep::step,
-           "step [1]: length of the step along its direction; for GFMD of time");
+           "step [1]: length of the step along its direction; for GFMD the time step");
     return table;
   }
 
@@ -290,15 +309,17 @@ namespace strait
       "ring of wave vectors.");
     table
       .add(&SpectrumRow::q,
-           "wave_number [1/length]: q, geometric mean of the ring's limits")
+           "wave_number [1/length]: wave number q of the ring, the geometric mean of its "
+           "limits")
       .add([](const SpectrumRow &row) { return 2 * M_PI / row.q; },
            "wavelength [length]: 2π/q")
       .add(&SpectrumRow::density,
            "density [length⁴]: C(q) = \\|h~\\|² LxLy/(2π)², averaged over directions: "
            "∫d²q C = h_rms²")
-      .add(&SpectrumRow::modes, "modes [1]: wave vectors in the ring")
+      .add(&SpectrumRow::modes, "modes [1]: number of wave vectors in the ring")
       .add(&SpectrumRow::law,
-           "fit [length⁴]: the self-affine law that fits best; `nan` beyond its range");
+           "fit [length⁴]: density by the self-affine law that fits best; `nan` beyond "
+           "its range");
     return table;
   }
 

@@ -4,10 +4,10 @@
 //   benchmark_adhesion_cost saddle|rough N TABOR [TOLERANCE, default 1e-8]
 //
 // saddle: the square saddle with γ0 = 0.1 E*Δ, loads 0.9 … 1.1 … 0.9 E*Δ/λ in steps of
-// 0.02. rough: self-affine, H = 0.8, 512² points for λs/a = 32, γ0 as matched at
-// L = 0.07 E*, loads 0.05 … 0.14 … 0.05 E* in steps of 0.01. Prints the pairs of the
-// first load, of the others the mean and the largest, the mean number of iterations, and
-// seconds of processor time.
+// 0.02. rough: self-affine, H = 0.8, λs/a = 32 on 512² points, γ0 of matched_energy(),
+// loads 0.05 … 0.14 … 0.05 E* in steps of 0.01. Prints the number of FFT pairs for the
+// first load, their mean and largest number for the others, the mean number of iterations
+// for these, and seconds of processor time for the first load and for each other one.
 #include <strait/base/collective.h>
 #include <strait/contact/adhesion_of_scene.h>
 #include <strait/contact/adhesive_contact_solver.h>
@@ -45,7 +45,8 @@ namespace
     return surface;
   }
 
-  /** γ0/(E* L) at which the area of the rough surface doubles. */
+  /** γ0/(E* × side of the box) that doubles the contact area of the rough surface under a
+   *  load of 0.07 E* (doc/adhesion.md). */
   double
   matched_energy(const double tabor)
   {

@@ -41,7 +41,7 @@ namespace
       .heights(make_layout({n, n, 1., 1.}, MPI_COMM_WORLD));
   }
 
-  /** Seconds of one forward and one inverse transform, nothing else. */
+  /** Seconds for one forward and one inverse transform alone, the best of seven. */
   double
   bare_pair(const int n)
   {
@@ -88,7 +88,7 @@ namespace
     return parameters;
   }
 
-  /** The first state, which starts from coarser grids. */
+  /** The cost of a first state, which starts from coarser grids. */
   Cost
   nested(const SlabField &heights, const double load, const double tolerance)
   {
@@ -98,7 +98,7 @@ namespace
     return {state.fft_pairs, seconds() - start};
   }
 
-  /** The mean of three steps of 2 % after two others. */
+  /** The mean cost of three load steps of 2 %, after two other loads. */
   Cost
   continued(const SlabField &heights,
             const double     load,

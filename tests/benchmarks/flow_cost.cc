@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a leak rate costs on adaptive and on uniform meshes.
 //
-//   flow_cost [grid points = 1024] [target accuracy = 0.01] [most unknowns = 6e6]
+//   benchmark_flow_cost [points = 1024] [target accuracy = 0.01] [most unknowns = 6e6]
 //
 // The gap is that of a self-affine surface (H = 0.8, roll-off 1/2, short cut-off
 // 8 grid points, rms slope 1; closes at 0.2422 E* on 1024² points) at 0.9 and 0.62 of
@@ -9,13 +9,13 @@
 //
 //   adaptive, uniform   lower and upper bound, until the bracket is as narrow as asked
 //   volumes             the pressure alone, by finite volumes around the points of the
-//                       contact's grid with harmonic means of K between them, as most
-//                       others solve it; a sparse direct factorisation, which on these
+//                       contact grid with harmonic means of K between them, as in most
+//                       other programs; a sparse direct factorisation, which on these
 //                       gaps is several times faster than Trilinos' ML. No bracket.
 //
-// The reference, for errors too, is an adaptive run to a fifth of the target accuracy.
-// `seconds` are from the contact's gap, `solver` those of meshes, matrices and solves
-// alone: preparing the gap costs the same for all.
+// Errors are relative to the reference, an adaptive run to a fifth of the target
+// accuracy. `seconds` count from the gap of the contact on, `solver` only meshes,
+// matrices and solves: preparing the gap costs the same for all.
 #include <strait/contact/contact_solver.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/channel.h>
@@ -92,8 +92,8 @@ namespace
     return cost;
   }
 
-  /** Five points around each open point of the channel; 1 at the inlet, x = 0, and 0 at
-   * its copy. */
+  /** Finite volumes with a five-point stencil at each point that percolates. The pressure
+   *  is 1 at the inlet, x = 0, and 0 at the outlet, its periodic copy. */
   Cost
   volumes(const SlabField &gap, const FluidParameters &fluid)
   {
@@ -115,7 +115,7 @@ namespace
     const auto conductivity = [&](const std::size_t k) {
       return std::pow(std::max(gap[k], 0.), 3) / (12. * fluid.viscosity);
     };
-    // visit(point, neighbour, conductance) for the two steps to the right and up.
+    // Call visit(point, neighbour, to_outlet, conductance) for steps to the right and up.
     const auto for_each_face = [&](const auto &visit) {
       for (int iy = 0; iy < ny; ++iy)
         for (int ix = 0; ix < nx; ++ix)
@@ -163,7 +163,7 @@ namespace
     SparseDirectUMFPACK factors;
     factors.initialize(matrix);
     factors.vmult(pressure, load);
-    const double total = load.l1_norm(); // what would flow in without a pressure inside
+    const double total = load.l1_norm(); // inflow if the pressure inside were 0
     cost.flow.rate     = total - load * pressure;
     cost.flow.lower    = 0.;
     cost.flow.upper    = cost.flow.rate;

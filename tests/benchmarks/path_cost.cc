@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What it costs to find the channel through a gap: seconds of processor time of all
-// ranks, and the largest number of bytes that any rank held on top of the gap, a grid
-// point.
+// What it costs to find the channel through a gap: seconds of processor time of all ranks
+// together, and the most bytes, per grid point, that any rank held besides the gap.
 //
 //   mpirun -n RANKS benchmark_path_cost [N ..., default 1024 2048]
 //
 // The gap is a self-affine surface (H = 0.8, roll-off at half the box, cut-off at 16 grid
-// spacings) cut by a plane, below which two fifths of it lie.
+// spacings) above a plane; two fifths of the surface lie below the plane.
 #include <strait/base/collective.h>
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/channel.h>
@@ -33,7 +32,7 @@ namespace
     parameters.short_cut_off_wavelength = 16. / n;
     SlabField gap                       = SelfAffineSurface(parameters, MPI_COMM_WORLD)
                       .heights(make_layout({n, n, 1., 1.}, MPI_COMM_WORLD));
-    const double two_fifths = -.2533 * rms(gap); // of a normal distribution
+    const double two_fifths = -.2533 * rms(gap); // quantile of a normal distribution
     for (double &value : gap)
       value -= two_fifths;
     return gap;
@@ -47,7 +46,7 @@ namespace
     return 1024. * static_cast<double>(usage.ru_maxrss);
   }
 
-  /** Processor time of @p action, of all ranks. */
+  /** Seconds of processor time that @p action takes on all ranks together. */
   template <class Action>
   double
   time_of(const Action &action)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What uniform grids cost: the ways to a leak rate that others take, beside ours.
+// What a leak rate costs on the uniform grids of other programs, and in this one.
 //
-//   uniform_baselines [grid points = 1024] [finest cells a side = 2048]
+//   benchmark_uniform_baselines [grid points = 1024] [finest cells a side = 2048]
 //
 // Finite volumes: five points, harmonic means of K, hypre's structured grids, PCG or
 // GMRES with one PFMG cycle; relative residual 1e-10. Q1: this program's elements and
-// BoomerAMG on a uniform mesh, refined until the bracket is as narrow as asked. The
-// gap is the same interpolated contact gap for all. The error is that against an
-// adaptive run to 2e-4. Run on one rank.
+// BoomerAMG on an adaptive or uniform mesh, refined until the bracket is as narrow as
+// asked. The gap is the same interpolated contact gap for all. The error is relative to
+// an adaptive run to 2e-4. Run on one rank.
 #include <strait/contact/contact_solver.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/percolation/channel.h>
@@ -95,7 +95,7 @@ namespace
     FiniteVolumes(const FiniteVolumes &)            = delete;
     FiniteVolumes &operator=(const FiniteVolumes &) = delete;
 
-    /** @return the iterations. */
+    /** Solve for the pressure. @return the number of iterations. */
     int
     solve(const bool gmres)
     {
@@ -234,7 +234,7 @@ namespace
     double  seconds = 0.;
   };
 
-  /** Ours, from the gap to the leak rate, on an adaptive or uniform mesh. */
+  /** This program, from the gap to the leak rate, on an adaptive or uniform mesh. */
   Cost
   elements(const SlabField &gap, const bool uniform, const double accuracy)
   {

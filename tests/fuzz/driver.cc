@@ -36,7 +36,7 @@ namespace
     return corpus;
   }
 
-  /** Damages texts; the standard fixes what std::mt19937 gives, so runs repeat. */
+  /** Damages texts. Runs repeat, as the standard fixes the numbers of std::mt19937. */
   class Mutator
   {
   public:
@@ -62,7 +62,7 @@ namespace
       return n == 0 ? 0 : random() % n;
     }
 
-    /** Places near the start are met more often: there are the headers. */
+    /** A random place in @p text, more often near its start, where headers are. */
     std::size_t
     place(const std::string &text)
     {
@@ -114,7 +114,7 @@ namespace
         }
     }
 
-    /** Write a number where binary files keep sizes: few, many, or too many. */
+    /** Write a number as binary files store sizes: small, large, or too large. */
     void
     set_number(std::string &text, const std::size_t at)
     {
@@ -142,7 +142,7 @@ namespace
           static_cast<char>(number >> 8 * (big_endian ? width - 1 - i : i) & 255);
     }
 
-    /** Replace the next number of a text. */
+    /** Replace the next number in @p text, from @p at on, by @p word. */
     void
     replace_number(std::string &text, const std::size_t at, const std::string &word)
     {

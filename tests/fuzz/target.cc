@@ -12,11 +12,11 @@
 
 using namespace strait;
 
-// What libFuzzer calls, or driver.cc where there is none. The environment variable
-// STRAIT_FUZZ_READER says what is meant: scene, or a kind of height map, which its
-// content tells; the file fuzz-READER.input in the current folder holds the last input.
+// The function that libFuzzer calls, or driver.cc without it. The environment variable
+// STRAIT_FUZZ_READER names the reader: scene, or a kind of height map, which is told by
+// its content. The file fuzz-READER.input in the current folder holds the last input.
 //
-// A reader may accept its input or throw an InputError. All else is a bug: another
+// A reader may accept its input or throw an InputError. Anything else is a bug: another
 // exception, such as std::bad_alloc, or an error of a sanitizer.
 
 extern "C" const char *
@@ -25,7 +25,7 @@ __asan_default_options()
   return "max_allocation_size_mb=512:allocator_may_return_null=1:detect_leaks=0";
 }
 
-// The folders of a build, which are not compiled in here, have no script.
+// Replaces the function of build_info.cc, which is not compiled in: there are no scripts.
 std::string
 strait::find_script(const std::string & /*name*/)
 {

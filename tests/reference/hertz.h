@@ -4,7 +4,7 @@
 namespace strait::reference
 {
   /**
-   * Hertz's contact of a sphere of radius R with an elastic half-space of
+   * Hertzian contact of a sphere of radius R with an elastic half-space of
    * contact modulus E* under the force F (Johnson, Contact Mechanics, 1985).
    */
   struct Hertz

@@ -6,7 +6,7 @@ namespace strait::reference
   /**
    * A smooth solution of ∇·(K ∇p) = 0 on the unit square with K = g³/12 (viscosity 1):
    * p = 1 on the inlet x = 0, p = 0 on the outlet x = 1, periodic in y. With harmonic
-   * functions f and h it is K = f² and p = h/f, as then ∇·(K ∇p) = ∇·(f ∇h − h ∇f) = 0.
+   * functions f and h, K = f² and p = h/f solve it: ∇·(K ∇p) = ∇·(f ∇h − h ∇f) = 0.
    */
   namespace manufactured_flow
   {

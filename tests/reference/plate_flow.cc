@@ -47,7 +47,7 @@ namespace strait::reference
   {
     // ∫(1 − y²/w²)³ dy = (32/35) w, and ∫(1 + x²/l²)⁻³ dx is elementary.
     const double half_pi  = std::acos(0.);
-    double       integral = 3. / 8. * half_pi; // over 0 < x/l < t, t infinite
+    double       integral = 3. / 8. * half_pi; // over 0 < x/l < t = ∞
     const double t        = half_length / length;
     if (std::isfinite(t))
       {

@@ -4,8 +4,8 @@
 namespace strait::reference
 {
   /**
-   * Effective conductivities of gaps that are not uniform. Those of gaps are
-   * the cube of the effective gap, 12 η K_eff, in length³.
+   * Effective conductivities of media that are not uniform. The functions cubed_gap_*
+   * return the cube of the effective gap, 12 η K_eff [length³].
    */
 
   /** g = g0 (1 + ε cos kx), flow along x: ⟨g⁻³⟩⁻¹ = g0³ (1−ε²)^{5/2}/(1+ε²/2). */
@@ -33,7 +33,7 @@ namespace strait::reference
 
   /**
    * The parabolic constriction g = g0 (1 + x²/l²)(1 − y²/w²), |y| < w, |x| ≤ X:
-   * the isolated saddle near closing. The pressure depends on x alone.
+   * an isolated saddle that is about to close. The pressure depends on x alone.
    */
   struct ParabolicConstriction
   {

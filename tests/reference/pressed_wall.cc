@@ -8,8 +8,8 @@ namespace strait
   double
   clausen(const double theta)
   {
-    // In [−π, π], where the series of −∫ ln(2 sin(t/2)) dt converges like (θ/2π)^2k;
-    // its coefficients are |B_2k|/(2k (2k+1)!) with Bernoulli numbers, that is
+    // In [−π, π] the series of −∫ ln(2 sin(t/2)) dt converges like (θ/2π)^2k. Its
+    // coefficients are |B_2k|/(2k (2k+1)!), with Bernoulli numbers B_2k, that is
     // 2 ζ(2k)/((2π)^2k 2k (2k+1)).
     const double x = std::remainder(theta, 2. * M_PI);
     if (x == 0)

@@ -17,9 +17,9 @@ namespace strait::reference
   double
   TrappedWave::fluid_pressure(const double load) const
   {
-    // Without fluid the gap is too small, with all that the load has grown by in the
-    // fluid it is as large as when it was trapped, which a fluid that shrinks does not
-    // fill.
+    // At zero fluid pressure the gap is too small for the fluid. If the fluid bears all
+    // of the load's increase, the gap is that at trapping, too large for a compressed
+    // fluid.
     double lower = 0., upper = load - load_when_trapped;
     if (bulk_modulus == 0.)
       return upper;

@@ -8,7 +8,7 @@ namespace strait::reference
 {
   namespace
   {
-    /** P = p0/p*, at most 1, where contact is complete. */
+    /** P = p0/p*, limited to 1, the value of complete contact. */
     double
     relative_load(const Westergaard &contact)
     {
@@ -37,7 +37,7 @@ namespace strait::reference
     const double inside  = load - std::sin(psi) * std::sin(psi);
     if (inside <= 0)
       return surplus;
-    // The wave's own period is λ, that of cos ψ is 2λ.
+    // The absolute value, as cos ψ has the period 2λ but the pressure the period λ.
     return surplus + 2 * full_pressure() * std::abs(std::cos(psi)) * std::sqrt(inside);
   }
 

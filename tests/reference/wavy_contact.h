@@ -19,16 +19,16 @@ namespace strait::reference
     /** p* = πE*Δ/λ, at which contact becomes complete. */
     double full_pressure() const;
 
-    /** a: contact reaches from −a to a, with sin²(πa/λ) = p0/p*. */
+    /** The half-width a of the contact: sin²(πa/λ) = p0/p*. */
     double contact_half_width() const;
 
-    /** p(x), 0 out of contact. */
+    /** The pressure p(x), 0 out of contact. */
     double pressure(double x) const;
 
-    /** g(x), 0 in contact. */
+    /** The gap g(x), 0 in contact. */
     double gap(double x) const;
 
-    /** Δ (1 − P + P ln P) with P = p0/p*. */
+    /** The mean gap, Δ (1 − P + P ln P) with P = p0/p*. */
     double mean_gap() const;
   };
 
@@ -54,7 +54,7 @@ namespace strait::reference
     /** p* = 2πE*Δ/λ, at which contact becomes complete. */
     double full_pressure(double amplitude, double wavelength, double modulus);
 
-    /** Rc of 1/Rc² = ½ Σ (qx⁴ + qy⁴) |h~|²: λ²/(2√2 π² Δ). */
+    /** Rc with 1/Rc² = ½ Σ (qx⁴ + qy⁴) |h~|²: λ²/(2√2 π² Δ). */
     double curvature_radius(double amplitude, double wavelength);
   } // namespace square_saddle
 } // namespace strait::reference

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What must not depend on where, in which units, or how often strait computes.
+"""Check that results do not depend on place, orientation, units, or repetition.
 
     hard_cases.py --program P --mpirun M --folder F [--case NAME]
 
-A small rough seal is computed as it is and, in turn, shifted across the flow,
-mirrored, rotated with the flow, in other units, and again; steps within 1e-10 of the
-critical load are taken. The results must be the same, to the last bit where only
-powers of two differ. With each optional effect it is mirrored, rotated and set twice side
+A small rough seal is computed as it is and, in turn, shifted across the flow, mirrored,
+rotated with the flow, in other units, and once more. The results must be the same, to the
+last bit where only powers of two differ. Steps within 1e-10 of the critical load must agree
+with each other. With each optional effect, the seal is mirrored, rotated, and set twice side
 by side.
 """
 import argparse
@@ -30,8 +30,8 @@ SAME = ["percolates", "contact_area", "contact_area_corrected", "status"]
 
 
 def rough_map(factor=1):
-    """Heights of shape (ny, nx): waves of random phase, at least eight points long, or
-    `factor` times as many."""
+    """Heights of shape (ny, nx), `factor` times as fine as POINTS: waves of random phase, at
+    least 8 `factor` points long along each axis."""
     random = np.random.default_rng(7)
     ny, nx = POINTS["y"] * factor, POINTS["x"] * factor
     y, x = np.mgrid[0:ny, 0:nx]
@@ -46,7 +46,7 @@ def rough_map(factor=1):
 
 
 class Seal:
-    """A scene as nested dictionaries, and its map."""
+    """A scene as nested dictionaries, and its height map."""
 
     def __init__(self, heights):
         self.heights = heights
@@ -102,7 +102,9 @@ class Runner:
 
 
 def differences(reference, rows, rtol, length=1., others=None, leave_out=()):
-    """Complaints; lengths of the rows are `length` times those of the reference."""
+    """Complaints about rows that differ from the reference by more than a relative `rtol`.
+    Lengths must be `length` times those of the reference, and `others` has the factors of
+    further columns."""
     others = others or {}
     complaints = []
     if len(reference) != len(rows):
@@ -116,7 +118,7 @@ def differences(reference, rows, rtol, length=1., others=None, leave_out=()):
                     complaints.append(f"row {number}: {name} {a[name]} and {b[name]}")
                 continue
             expected = float(a[name]) * length**LENGTHS.get(name, 0) * others.get(name, 1.)
-            # A cube root need not be rounded the same.
+            # A cube root may be rounded differently.
             allowed = max(rtol, 4e-16 if name == "effective_gap" else 0.)
             if not abs(float(b[name]) - expected) <= allowed * abs(expected):
                 complaints.append(f"row {number}: {name} is {b[name]}, expected "
@@ -125,8 +127,9 @@ def differences(reference, rows, rtol, length=1., others=None, leave_out=()):
 
 
 def differences_moved(reference, rows, rtol=1e-6, leak_rate=1., leave_out=()):
-    """Complaints if the flow is on another mesh: then its brackets must overlap, those of
-    the rows over their factor. Where errors of the gap are told these count as well."""
+    """Complaints about rows whose flow is on another mesh. Their brackets, divided by the
+    factor `leak_rate`, need only overlap with those of the reference, after widening by the
+    errors of the leak rate where the tables have them."""
     complaints = differences(reference, rows, rtol, leave_out=[
         "leak_rate", "leak_rate_lower", "leak_rate_upper", "effective_gap", *leave_out])
     for number, (a, b) in enumerate(zip(reference, rows), start=1):
@@ -140,7 +143,7 @@ def differences_moved(reference, rows, rtol=1e-6, leak_rate=1., leave_out=()):
 
 
 def shifted(runner, base):
-    """By any number of points across the flow."""
+    """Shifted by 1, 7, 16 and 31 points across the flow."""
     complaints = []
     for points in (1, 7, 16, 31):
         seal = Seal(np.roll(rough_map(), points, axis=0))
@@ -150,7 +153,7 @@ def shifted(runner, base):
 
 
 def mirrored(runner, base):
-    """Across the flow and, which turns it round, along the flow."""
+    """Mirrored across the flow, and along it, which reverses the flow."""
     complaints = []
     for axis in (0, 1):
         # The grid point at the inlet stays where it is.
@@ -161,7 +164,7 @@ def mirrored(runner, base):
 
 
 def rotated(runner, base):
-    """By 90 degrees, with the direction of the flow."""
+    """Rotated by 90 degrees, with the direction of the flow."""
     seal = Seal(np.ascontiguousarray(rough_map().T))
     seal.size.reverse()
     seal.fluid["Direction"] = "y"
@@ -170,7 +173,8 @@ def rotated(runner, base):
 
 
 def in_other_units(runner, base):
-    """Heights of 1e-12 and 1e12 and all else in turn, exactly by powers of two."""
+    """Heights, all lengths, and pressures in turn times 2^-40 and 2^40, about 1e-12 and
+    1e12: powers of two, so that nothing is rounded."""
     complaints = []
     for power in (-40, 40):
         factor = 2.**power
@@ -197,7 +201,7 @@ def in_other_units(runner, base):
 
 
 def content_of(file):
-    """All data sets and attributes of an HDF5 file, which also holds times."""
+    """All data sets and attributes of an HDF5 file, without the time stamps in it."""
     items = {}
 
     def visit(name, item):
@@ -237,7 +241,7 @@ def without_times(file):
 
 
 def repeated(runner, _):
-    """Twice on the same ranks: the same files but for times."""
+    """Computed twice on equally many ranks: the same files except for times."""
     complaints = []
     for ranks in (1, 2):
         outputs = []
@@ -245,7 +249,7 @@ def repeated(runner, _):
             seal = Seal(rough_map())
             seal.output["Fields"] = "all"
             _, output = runner.run(f"repeated_on_{ranks}", seal, ranks)
-            # Both ran in the same folder: some files name it.
+            # Run both in the same folder, as some files name it.
             kept = os.path.join(runner.options.folder, f"{attempt}_on_{ranks}")
             outputs.append(shutil.move(output, kept))
             shutil.rmtree(os.path.dirname(output))
@@ -264,7 +268,7 @@ def repeated(runner, _):
 
 
 def at_threshold(runner, _):
-    """Loads within 1e-10 of L_c, where the throat is as good as closed."""
+    """At loads within 1e-10 of the critical load, where the throat is nearly closed."""
     seal = Seal(rough_map())
     seal.contact = {"Tolerance": 1e-13}
     search = Seal(rough_map())
@@ -321,7 +325,7 @@ EFFECTS = {
 
 
 def with_effects(runner, _):
-    """Each optional effect, mirrored across the flow, rotated, and two side by side."""
+    """With each optional effect: mirrored across the flow, rotated, and twice side by side."""
     complaints = []
     for name, effect in EFFECTS.items():
         zooms = name == "zoom"
@@ -338,7 +342,7 @@ def with_effects(runner, _):
             return runner.run(f"{name}_{what}", seal)[0]
 
         base = rows_of("base", heights)
-        # Windows that are not quite mirrored, and the tolerance of the feedback.
+        # Windows are not mirrored exactly, and feedback has a tolerance.
         rtol = 1e-3 if zooms else 1e-4 if name in ("feedback", "trapped") else 1e-6
         mirror = np.roll(np.flip(heights, 0), 1, 0)
         found = [*differences_moved(base, rows_of("mirrored", mirror), rtol),

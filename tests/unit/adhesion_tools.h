@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the tests of adhesion share: its methods and parameters.
+// Shared by the tests of adhesion: methods and parameters.
 #pragma once
 
 #include "contact_tools.h"

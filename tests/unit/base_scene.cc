@@ -126,7 +126,7 @@ TEST(Scene, PathOfAMapCountsFromTheSceneOrTheCurrentFolder)
   EXPECT_EQ(map_file({"Surface/File=/m.npy"}), "/m.npy");
 }
 
-// The values allowed include every default, and what is printed is what is read.
+// The printed parameters are allowed values and read back as the default scene.
 TEST(Scene, PrintedParametersAreAScene)
 {
   std::ostringstream prm;
@@ -148,7 +148,7 @@ TEST(Scene, MarkdownListsEveryParameterWithItsMeaning)
   expect_in("| Direction | `x` | one of: x, y |", md.str());
   expect_in("| Grid points | `512` | one or two integers from 4 to 65535, separated by",
             md.str());
-  // Numbers without a unit would be of no use.
+  // The meaning of every number states its unit in brackets.
   std::istringstream lines(md.str());
   int                numbers = 0;
   for (std::string line; std::getline(lines, line);)

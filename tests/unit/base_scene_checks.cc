@@ -72,7 +72,7 @@ TEST(Scene, ParametersWithoutEffectAreNamed)
         std::pair{"Realisations/Ranks each=2",
                   "Realisations/Seeds or Realisations/Orientations"}})
     EXPECT_EQ(warnings_of({given}).at(0).find(std::string("without ") + needed), 0U);
-  // What a run writes as its scene states every default, and is no cause for warnings.
+  // The scene file that a run writes states every default, which causes no warnings.
   const Overrides dry = {"Fluid/Enabled=false", "Fluid/Viscosity=2"};
   EXPECT_EQ(warnings_of(dry),
             std::vector<std::string>{
@@ -181,7 +181,7 @@ TEST(Scene, ValuesOutOfRange)
     {
       const std::string error = error_of("", {wrong});
       EXPECT_NE(error, "none") << wrong;
-      // One sentence that names the parameter.
+      // The message is one sentence that names the parameter.
       expect_in(std::string(wrong).substr(0, std::string(wrong).find('=')), error);
       EXPECT_EQ(error.back(), '.') << error;
       EXPECT_EQ(error.find('\n'), std::string::npos) << error;
@@ -194,9 +194,9 @@ TEST(Scene, WhatAKindNeeds)
   expect_in("Surface/Expression", error_of("", {"Surface/Kind=expression"}));
   expect_in("Surface/Amplitude",
             error_of("", {"Surface/Kind=sine", "Surface/Amplitude=0"}));
-  // The spectrum does not matter to other kinds.
+  // Other kinds of surface ignore the parameters of the spectrum.
   EXPECT_EQ(error_of("", {"Surface/Kind=flat", "Surface/Roll-off wavelength=9"}), "none");
-  // A pure flow problem has no loads.
+  // A pure flow problem ignores the loads.
   EXPECT_EQ(error_of("", {"Contact/Enabled=false", "Load programme/Pressures=-1"}),
             "none");
   expect_in("nothing to compute",

@@ -79,9 +79,9 @@ TEST(Scene, TrappedFluidNeedsWhatItsLawNeeds)
         error_of("", stiff + Overrides{pressure}));
       const std::string law = feedback + "Trapped fluid=incompressible";
       scene_of("", enabled + Overrides{law, vapour, pressure});
-      scene_of("", enabled + Overrides{pressure}); // drained: there is none
+      scene_of("", enabled + Overrides{pressure}); // drained: no fluid is trapped
     }
-  // The law decides which parameters count.
+  // A drained fluid has no use for the bulk modulus.
   EXPECT_EQ(scene_of("", enabled + Overrides{feedback + "Bulk modulus=2"}).warnings(),
             std::vector<std::string>{"without Fluid/Wall feedback/Trapped fluid = "
                                      "compressible these have no effect: Bulk modulus"});
@@ -113,7 +113,7 @@ TEST(Scene, TheTemperatureOfAGasCountsInSccm)
 
 TEST(Scene, RealisationsOfAMapAreItsWindows)
 {
-  // What says its frame leaves the file unread.
+  // With size, grid points and unit of length given, the map's file is not read.
   const Overrides map = {"Surface/Kind=file",
                          "Surface/File=/a/map.nc",
                          "Surface/Size=1",
@@ -147,7 +147,7 @@ TEST(Scene, WholeSealAndWhatGoesWithIt)
             error_of("", seal + Overrides{"Contact/Control=mean gap"}));
   expect_in("Seal/Two in a row needs",
             error_of("", {"Seal/Two in a row=true", "Fluid/Direction=y"}));
-  // A keyword is no path, and a path starts at the folder of the scene.
+  // A keyword is not taken for a path, and an absolute path stays as it is.
   EXPECT_EQ(scene_of("", {"Seal/Pressure profile=hertz"}).seal.pressure_profile, "hertz");
   EXPECT_EQ(scene_of("", {"Seal/Pressure profile=/a/p.csv"}).seal.pressure_profile,
             "/a/p.csv");

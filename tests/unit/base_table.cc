@@ -40,7 +40,8 @@ namespace
     return table;
   }
 
-  // An editor that saves by renaming, or removes the file, takes no later row away.
+  // Later rows are not lost if an editor, on saving, replaces the file by renaming
+  // another one, or if the file is removed.
   TEST(Table, GoesOnInTheFileOfItsName)
   {
     const test::TemporaryFolder folder;

@@ -26,9 +26,9 @@ TEST(Text, NumbersReadBackExactly)
 
 TEST(Text, NearestNameByEditDistance)
 {
-  EXPECT_EQ(nearest_name("gpa", {"gas", "Gap"}), "Gap"); // swapped
+  EXPECT_EQ(nearest_name("gpa", {"gas", "Gap"}), "Gap"); // transposed letters
   EXPECT_EQ(nearest_name("gaps", {"grape", "gap"}), "gap");
-  EXPECT_EQ(nearest_name("kitten", {"sitting"}), "sitting"); // 3 of 7
+  EXPECT_EQ(nearest_name("kitten", {"sitting"}), "sitting"); // 3 edits, 7 letters
   EXPECT_EQ(nearest_name("", {"gap"}), "");
 }
 
@@ -102,7 +102,7 @@ TEST(SceneText, AParameterIsSetOnceInAFile)
 {
   EXPECT_EQ(parse_error("subsection A\n set x = 1, \\\n 2\n\n set x = 3\nend\n"),
             "f.prm:5: 'A/x' was set before in line 2; remove one of them.");
-  // Also where the section is opened again, and whatever the white space.
+  // Also if the subsection is opened again, and whatever the white space.
   EXPECT_EQ(parse_error("subsection A\n set x y = 1\nend\n"
                         "subsection A\n set x  y = 1\nend\n"),
             "f.prm:5: 'A/x y' was set before in line 2; remove one of them.");

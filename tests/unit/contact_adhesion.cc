@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The adhesive contact: the conditions that define a solution, and three methods against
-// each other.
+// Contact with adhesion: the conditions that define a solution, and the agreement of the
+// three methods.
 #include <strait/base/exceptions.h>
 #include <strait/base/scene.h>
 #include <strait/contact/adhesion_of_scene.h>
@@ -15,7 +15,8 @@ namespace
 {
   using namespace contact_tests;
 
-  /** γ0 = 0.1 E*Δ and the range of a Tabor number, for the square saddle. */
+  /** The law for the square saddle with γ0 = 0.1 E*Δ and the range that follows from the
+   *  Tabor number @p tabor, with the curvature radius λ²/(2√2 π² Δ) = 0.035823. */
   AdhesionLaw
   saddle_law(const double tabor, const AdhesionShape shape = AdhesionShape::exponential)
   {
@@ -49,7 +50,8 @@ namespace
     EXPECT_NEAR(longer.resolution, adhesion.resolution / 6, 1e-9);
   }
 
-  // The periods of a sphere meet at an edge, whose curvature grows with the grid.
+  // The edge where the periods of a sphere meet, whose curvature grows with the number of
+  // grid points, does not count.
   TEST(Adhesion, TheTaborNumberOfASphereIsThatOfItsRadius)
   {
     for (const int n : {32, 64})
@@ -89,7 +91,7 @@ namespace
     EXPECT_NEAR(solver.solve(.02).contact_area / without, 2, .005);
     EXPECT_NEAR(adhesion.tabor_number, .5, 1e-12);
 
-    parameters.adhesion.matched_pressure = 2.; // all but in full contact already
+    parameters.adhesion.matched_pressure = 2.; // almost full contact without adhesion
     EXPECT_THROW(adhesion_of_scene(parameters, heights), InputError);
   }
 
@@ -118,7 +120,8 @@ namespace
       }
   }
 
-  /** Without adhesion all three solve the hard-wall problem, another way round. */
+  /** Without adhesion the three methods, which seek the gap, find the state of
+   *  ContactSolver, which seeks the pressure. */
   TEST(Adhesion, WithoutAttractionTheMethodsFindTheHardWall)
   {
     const SlabField    heights = rough_heights({64, 48, 1., 1.}, 8);
@@ -138,7 +141,7 @@ namespace
       }
   }
 
-  /** Reaction less attraction is the pressure that deforms the half-space. */
+  /** The reaction of the wall minus the attraction deforms the half-space. */
   TEST(Adhesion, ForcesBalanceAtEveryPoint)
   {
     const SlabField    heights  = saddle_heights(64);
@@ -158,7 +161,7 @@ namespace
     EXPECT_LT(max_value(rigid) - min_value(rigid), 1e-6);
   }
 
-  /** Also during the jump from the open to the closed branch. */
+  /** It falls in each iteration, also in the jump from the open to the closed branch. */
   TEST(Adhesion, TheEnergyFallsMonotonically)
   {
     for (const AdhesionMethod method :

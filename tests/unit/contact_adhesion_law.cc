@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Laws of adhesion, and contacts under them whose closed form is known.
+// Laws of adhesion, and contacts under them with a solution in closed form.
 #include <strait/contact/adhesive_contact_solver.h>
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace
 {
   using namespace contact_tests;
 
-  /** The shapes f(g/z0), with their derivatives worked out by hand. */
+  /** The shape f(g/z0) of a law and its derivatives, worked out by hand. */
   struct ClosedForm
   {
     AdhesionShape shape;
@@ -75,10 +75,12 @@ namespace
         }
   }
 
-  /** A ripple under a uniform gap ḡ answers with −h1/(1 − 2k/(qE*)), k = −γ''(ḡ). */
+  /** A ripple h1 cos qx of the heights changes a uniform gap ḡ by the amplitude
+   *  −h1/(1 − 2k/(qE*)), with k = −γ''(ḡ). */
   TEST(Adhesion, AUniformGapRespondsLinearly)
   {
-    // A ripple of 1e-6 leaves the tolerance, of its stress, within the rounding of ḡ.
+    // With a ripple of 1e-6 the tolerance, relative to the stress of the ripple, would be
+    // within the rounding of ḡ.
     const double ripple = 1e-5, mean_gap = .15, energy = .02, range = .1;
     for (const ClosedForm &form : closed_forms)
       for (const AdhesionMethod method : all_methods)
@@ -109,7 +111,7 @@ namespace
           }
   }
 
-  /** The flat state at a mean gap ends where 2k = qE* for the longest wave. */
+  /** A uniform gap is stable up to 2k = qE* for the longest wave, with k as above. */
   TEST(Adhesion, AUniformGapBecomesUnstable)
   {
     const double    range = .1, mean_gap = .2;
@@ -134,15 +136,15 @@ namespace
             }
           else
             {
-              EXPECT_GT(spread, .1); // it fell into another state, which is a minimum
+              EXPECT_GT(spread, .1); // it went to another state, a minimum
               EXPECT_GT(state.adhesion->smallest_curvature, 0);
             }
         }
   }
 
-  /** All but rigid: the pull on a sphere of R = 1 at the distance d is 2πRγ0 f(d/z0)
-   *  (Derjaguin), which for d → 0 is Bradley's pull-off force. Of it the box cuts off
-   * less than f on its edge. Deformations are 1e-5 here, small against each d. */
+  /** The pull on a rigid sphere of R = 1 at the distance d is 2πRγ0 f(d/z0) (Derjaguin),
+   *  Bradley's pull-off force for d → 0. The box cuts off less than 2πRγ0 f with the gap
+   *  at its edge. Deformations are 1e-5 here, small against each d. */
   TEST(Adhesion, ARigidSpherePullsAsBradleySaid)
   {
     const double    energy = 1., range = .005, edge = .5 * .25;

@@ -9,7 +9,7 @@ namespace
 
   TEST(ContactArea, CountsPointsAndEdgesAcrossTheBoundary)
   {
-    // Three by two points that wrap around both edges of a rectangular grid.
+    // A contact of 3 × 2 points across the periodic seam along both axes.
     const PeriodicGrid grid = {9, 8, 1., 3.};
     const SlabField    p    = sampled(grid, [&](const double x, const double y) {
       const int  ix   = static_cast<int>(std::lround(x / grid.dx()));
@@ -19,11 +19,11 @@ namespace
     });
     const ContactState state(p, p);
     EXPECT_DOUBLE_EQ(state.contact_area, 6. / 72);
-    // (π − 1 + ln 2)/24 of the sides times √(dx dy), over dx dy.
+    // In spacings √(dx dy); (π − 1 + ln 2)/24 = 0.1181 of the sides is subtracted.
     const double aspect = std::sqrt(grid.dy() / grid.dx());
     const double sides  = 4 * aspect + 6 / aspect;
     EXPECT_NEAR(state.contact_area_corrected, (6 - 0.1181 * sides) / 72, 1e-5);
-    // Where the pressure ends at its limit the points are as many as they should be.
+    // Where the pressure is at its limit up to the contact line nothing is corrected.
     EXPECT_DOUBLE_EQ(ContactState(p, p, .5).contact_area_corrected, 6. / 72);
   }
 
@@ -38,13 +38,13 @@ namespace
 
   TEST(ContactArea, LatticePerimeterOfADisc)
   {
-    // The lattice perimeter of a large disc is 4/π times its own.
+    // The lattice perimeter of a large disc is 4/π times its perimeter, that is 8 r.
     const double       radius = 100.25;
     const SlabField    p      = sampled({256, 256, 256., 256.}, [=](double x, double y) {
       return std::hypot(x - 128, y - 128) <= radius ? 1. : 0.;
     });
     const ContactState state(p, p);
-    // Points in a disc: Gauss's circle problem.
+    // About πr² points lie in the disc (Gauss's circle problem).
     EXPECT_NEAR(state.contact_area * 65536 / (M_PI * radius * radius), 1., 1e-3);
     EXPECT_NEAR((state.contact_area - state.contact_area_corrected) * 65536,
                 .118 * 8 * radius,
@@ -68,7 +68,7 @@ namespace
       return (state.contact_area - state.contact_area_corrected) * 1024 * 24 /
              (M_PI - 1 + std::log(2.));
     };
-    EXPECT_NEAR(sides(8.5, 18.5, 13.5), 36. / 3, 1e-9); // within the window
-    EXPECT_NEAR(sides(10.5, 30.5, 21.5), 19. / 3 + 53., 1e-9);
+    EXPECT_NEAR(sides(8.5, 18.5, 13.5), 36. / 3, 1e-9);        // all within the window
+    EXPECT_NEAR(sides(10.5, 30.5, 21.5), 19. / 3 + 53., 1e-9); // 19 of 72 within it
   }
 } // namespace

@@ -51,7 +51,7 @@ namespace
 
   TEST(GridTransfer, ZoomsInLinearly)
   {
-    // Linear in one direction but for the seam, in windows on the grid and on another.
+    // Linear in each of the windows, of which two lie in the grid and one in another.
     const auto linear = [](const double x, const double y) {
       return std::abs(x - .5) + 2 * y;
     };
@@ -61,7 +61,7 @@ namespace
     const SlabField grid = sampled({64, 64, 1., 1.}, linear);
     SlabField       once = zoom_in_linearly(grid, first);
     EXPECT_LT(largest_difference(once, sample(once.layout_pointer(), linear)), 1e-14);
-    // What is known is kept.
+    // Values that were known in a window are kept.
     once[once.layout().start_of_window(0)] = 77.;
     const SlabField twice                  = zoom_in_linearly(once, both);
     SlabField       expected               = sample(twice.layout_pointer(), linear);

@@ -43,7 +43,7 @@ namespace
                                            PeriodicGrid{12, 7, 3., 2.},
                                            PeriodicGrid{13, 11, 1e-6, 2e-6}));
 
-  /** A half-space that patches of points are in contact with. */
+  /** A half-space in contact at patches of points, which are marked. */
   class OnContact
   {
   public:
@@ -96,9 +96,9 @@ namespace
     const SlabField    Ma = contact.preconditioned(a), Mb = contact.preconditioned(b);
     const double       aMa = dot(a, Ma), bMb = dot(b, Mb);
     EXPECT_GT(aMa, 0.);
-    EXPECT_NEAR(dot(a, Mb), dot(b, Ma), 1e-6 * std::sqrt(aMa * bMb)); // of seven digits
+    EXPECT_NEAR(dot(a, Mb), dot(b, Ma), 1e-6 * std::sqrt(aMa * bMb)); // single precision
 
-    // Gaps that pressures make, whatever their waves.
+    // M is close to the inverse of G for pressures of long and of short waves.
     for (const double waves : {.05, .3, 1., 4., 11.})
       {
         const SlabField p = contact.marked(any_field(grid, waves));
@@ -132,7 +132,7 @@ namespace
     EXPECT_NEAR(dot(a, Mb), dot(b, Ma), 1e-6 * std::sqrt(aMa * bMb));
     EXPECT_EQ(max_value(Ma), max_value(open(Ma)));
 
-    // Tractions of gaps, whatever their waves.
+    // M is close to the inverse of K for gaps of long and of short waves.
     for (const double waves : {.05, .3, 1., 4., 11.})
       {
         const SlabField w = open(any_field(grid, waves));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The optimisers on a problem that is no grid: points of different areas, all on
-// the first rank, with a dense matrix for G and preconditioners of all qualities.
+// The optimisers on a problem without a grid: points of different areas, all on the first
+// rank, with a dense matrix G and preconditioners M of any quality.
 #include <strait/base/collective.h>
 #include <strait/contact/optimisers.h>
 
@@ -16,10 +16,10 @@ namespace
   {
     none,    // M = 1
     uneven,  // positive, but far from the inverse of G
-    negative // M = −1, which is never allowed
+    negative // M = −1, which DualProblem forbids
   };
 
-  /** All on the first rank, the first 20 nine times as large as the others. */
+  /** 60 points on the first rank, of which the first 20 have nine times the area. */
   struct DensePoints
   {
     DensePoints()
@@ -31,7 +31,7 @@ namespace
           height.push_back(std::cos(2 * pi * position[i]) +
                            0.3 * std::sin(9. * position[i]));
         }
-      // Areas of 1 and 1/9 in units that sum to one.
+      // Areas of 1 and 1/9 in a unit such that they sum to one.
       const double unit = 1. / (20. + 40. / 9.);
       if (n > 0)
         parts = {{0, 20, unit}, {20, 60, unit / 9}};
@@ -94,7 +94,7 @@ namespace
     }
 
   private:
-    /** The response may replace the step. */
+    /** Return the work <step, G step>. Both arrays may be the same. */
     template <class Number>
     double
     act(const Number *step, Number *response)
@@ -126,8 +126,9 @@ namespace
          const ContactConstraint &constraint,
          const double             mean)
   {
-    // Without M the steps go along the gradient, and need many; with one that is off by a
-    // factor of 300 points that join after whole steps only make it 2105 at the most.
+    // Where M is rejected, steps follow the gradient and many are needed. With an M that
+    // is off by a factor of 300 it takes up to 2105, as points join the contact only
+    // after steps without truncation.
     const double          tolerance = quality == Quality::negative ? 1e-5 : 1e-10;
     DenseProblem          problem(quality);
     std::vector<double>   p(problem.size, 1.), g(problem.size), u(problem.size);
@@ -163,7 +164,7 @@ namespace
 
   /**
    * Two pressures that solve the problem to the residual ε differ by d with
-   * <d, Gd> <= 2 ε <p + p'>, so that |G d| <= sqrt(4 ε max <p>) = 4.5e-5 here.
+   * <d, Gd> <= 2 ε <p + p'>. Thus |G d| <= sqrt(4 ε max <p>), 4.5e-5 for ε = 1e-10.
    */
   void
   expect_equal(const std::vector<double> &a, const std::vector<double> &b)
@@ -209,7 +210,8 @@ namespace
             within_limits(problem, {true, mean, limit}, is_active, p.data());
           for (std::size_t i = 0; i < p.size(); ++i)
             p[i] = within(p[i], is_active[i] != 0);
-          // The shift of those between the limits; the others would have gone further.
+          // Points between the limits share one shift; truncation makes that of the
+          // others smaller at the upper limit, and larger at 0.
           double least = -INFINITY, most = INFINITY, total = 0;
           int    n_held = 0;
           for (std::size_t i = 0; i < p.size(); ++i)
@@ -225,7 +227,7 @@ namespace
             }
           EXPECT_LE(least, most + 1e-15);
           EXPECT_NEAR(sum(MPI_COMM_WORLD, total) / mean, 1., 1e-13);
-          // Those that are held cannot carry the other means.
+          // With this mean alone the points that are not active can be held.
           if (!shifts_all && mean == .3 && !p.empty())
             {
               EXPECT_EQ(n_held, 7);
@@ -235,7 +237,8 @@ namespace
 
   TEST(Optimisers, HoldTheLimitOfThePressure)
   {
-    // Of the area; at .2 every point could be at a limit, and the gap shift a little.
+    // The ratio of load to limit. With .2 every pressure can be 0 or at the limit, which
+    // leaves the gap undetermined by a small shift.
     for (const double load : {.05, .5, 5.})
       for (const double part : {.23, .61, .97})
         {

@@ -122,7 +122,7 @@ namespace
     const ContactState nested = solver.solve(.1);
     const ContactState next   = solver.solve(.101, &nested);
     EXPECT_LT(solver.solve(.102, &next).fft_pairs, nested.fft_pairs);
-    // A state far away is no help.
+    // A distant state is not used.
     const ContactState before = solver.solve(.08);
     const ContactState state  = solver.solve(.1, &before);
     EXPECT_EQ(state.fft_pairs, nested.fft_pairs);
@@ -131,7 +131,8 @@ namespace
 
   TEST(ContactSolver, HoldsAMeanGapWhereMostTouches)
   {
-    // All of the gap is then one wave too long for the grid: a uniform one.
+    // The gap is then nearly uniform, for which the half-space has no
+    // stiffness; the preconditioner gives it that of the longest wave.
     const SlabField heights = rough_heights({64, 64, 1., 1.}, 12);
     ContactSolver   solver(contact_parameters(1e-8, ContactControl::mean_gap), heights);
     for (const double mean_gap : {1e-2, 3e-3, 1e-3, 1e-4})
@@ -157,7 +158,7 @@ namespace
     EXPECT_LE(state.residual, 1e-8);
     EXPECT_LT(violation(state, heights, 1.), 3e-8);
     EXPECT_NEAR(state.mean_gap, at_once.mean_gap, 1e-7 * at_once.mean_gap);
-    // It came from where the first half did, so that the next load is foretold alike.
+    // It keeps the approach of the first half, so that the next load starts alike.
     EXPECT_DOUBLE_EQ(state.approach.steps_to(.22), at_once.approach.steps_to(.22));
   }
 
@@ -170,7 +171,7 @@ namespace
     for (const auto &[length, modulus] : std::vector<std::pair<double, double>>{
            {1e-12, 1e12}, {1e12, 1e-12}, {1e-12, 1e-12}, {1e-9, 1.}})
       {
-        // All lengths scaled; then the heights alone.
+        // Scale all lengths, then the heights alone.
         for (const double box : {length, 1.})
           {
             SlabField scaled(make_layout({64, 48, box, box}, MPI_COMM_WORLD));
@@ -247,7 +248,7 @@ namespace
         EXPECT_LT(violation(state, heights, 1.), 3e-9);
         EXPECT_EQ(state.contact_area == 1., load > 1.);
       }
-    // p = p0 + K h for a full contact.
+    // In full contact p = p0 + K h, here p0 ± 2π at the extremes.
     ContactSolver      solver(contact_parameters(1e-9), heights);
     const ContactState state = solver.solve(9.);
     EXPECT_NEAR(value_at(state.pressure, 0, 0), 9. + 2 * pi, 1e-6);
@@ -266,7 +267,7 @@ namespace
     EXPECT_EQ(state.contact_area, 0.);
     EXPECT_NEAR(state.mean_gap, 2.5, 1e-14);
     EXPECT_NEAR(value_at(state.gap, 0, 0), 0.5, 1e-14);
-    // And finds contact afterwards.
+    // The same solver finds contact afterwards.
     EXPECT_GT(solver.solve(1.9).nominal_pressure, 0.);
   }
 
@@ -326,7 +327,7 @@ namespace
     solver.solve(0.1);
     const auto   local = static_cast<double>(most_allocated_memory() - before);
     const double bytes = sum(MPI_COMM_WORLD, local);
-    // Several ranks have messages beside, and rows that are not dealt out evenly.
+    // Several ranks also hold messages, and may have different numbers of rows.
     const bool is_alone = n_ranks_in(MPI_COMM_WORLD) == 1;
     EXPECT_LE(bytes / heights.grid().n_points(), is_alone ? 44. : 52.);
     EXPECT_GE(bytes / heights.grid().n_points(), 42.);
@@ -338,7 +339,7 @@ namespace
     ContactSolver      solver(contact_parameters(1e-11), heights);
     const ContactState state = solver.solve(0.1);
     ASSERT_TRUE(state.converged);
-    // Computed on one rank.
+    // Results of a run on one rank.
     EXPECT_NEAR(state.contact_area, 0.10625, 1e-9);
     EXPECT_NEAR(state.mean_gap, 0.11387842973610721, 1e-10);
     EXPECT_NEAR(value_at(state.gap, 7, 93), 0.19921783938484727, 1e-9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the tests of contact share: heights and independent checks of a solution.
+// Shared by the tests of contact: heights, and independent checks of a solution.
 #pragma once
 
 #include <strait/base/collective.h>
@@ -17,7 +17,7 @@ namespace contact_tests
 
   inline const double pi = std::acos(-1.);
 
-  /** heights(x, y) on the whole grid. */
+  /** Return the field @p heights(x, y) on @p grid. */
   template <class Heights>
   SlabField
   sampled(const PeriodicGrid &grid, const Heights &heights)
@@ -25,7 +25,8 @@ namespace contact_tests
     return sample(make_layout(grid, MPI_COMM_WORLD), heights);
   }
 
-  /** Neither symmetric nor smooth; the same on any number of ranks. */
+  /** Return a field that is neither symmetric nor smooth, the same on any number of
+   *  ranks; @p a scales its wave numbers. */
   inline SlabField
   any_field(const PeriodicGrid &grid, const double a)
   {
@@ -52,8 +53,8 @@ namespace contact_tests
   }
 
   /**
-   * Waves up to |k| = longest, with amplitudes ∝ k^{-1.8} and phases that are
-   * spread by a formula: rough, and the same everywhere.
+   * Return rough heights, the same on any number of ranks: waves with wave numbers k of
+   * up to @p longest per box, amplitudes ∝ k^{-1.8}, and phases from a hash.
    */
   inline SlabField
   rough_heights(const PeriodicGrid &grid, const int longest)
@@ -102,9 +103,9 @@ namespace contact_tests
   }
 
   /**
-   * How far a state is from solving its problem, computed anew: the largest
-   * deviation of its gap from G p − h + constant, over the rms height. The
-   * signs and p g = 0 hold exactly or give infinity.
+   * Return how far a state is from solving its problem, computed anew: the range of
+   * G p − h − g, which is constant in a solution, over the rms height. Infinity if any
+   * pressure or gap is negative, or if both are positive at any point.
    */
   inline double
   violation(const ContactState &state, const SlabField &heights, const double modulus)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The cheap stand-ins for stiffness and compliance by which contact is preconditioned.
+// The cheap approximations of stiffness and compliance that precondition the contact.
 #include <strait/contact/pyramid_extension.h>
 #include <strait/contact/two_scale_operator.h>
 
@@ -13,8 +13,8 @@ namespace
 
   constexpr double modulus = 3.;
 
-  /** The sum of both scales, where all points are marked: means over boxes and their
-   *  adjoint. */
+  /** Apply the stiffness, the sum of both scales, with all points marked. The boxes get
+   *  means of the points and give back by the adjoint. */
   SlabField
   stiffened(const SlabField &field)
   {
@@ -34,7 +34,7 @@ namespace
     return result;
   }
 
-  /** What a gap's M makes of the field where no point is closed: the compliance alone. */
+  /** Apply M of GapProblem with no point closed, which is the compliance alone. */
   SlabField
   displaced(const SlabField &field)
   {
@@ -45,9 +45,8 @@ namespace
     return result;
   }
 
-  /** Mean products of plane waves, from long to short, with what @p act makes of them,
-   *  over the square of the wave and @p expected(q) of its wave number: the smallest and
-   *  the largest. */
+  /** Return the smallest and the largest of <w, A w>/(<w, w> @p expected(q)) for plane
+   *  waves w from long to short, with the operator A = @p act and the wave number q. */
   template <class Act, class Expected>
   std::pair<double, double>
   range_over_waves(const PeriodicGrid &grid, const Act &act, const Expected &expected)
@@ -74,7 +73,7 @@ namespace
           sampled(grid, [qx = qx, qy = qy](const double px, const double py) {
             return std::cos(qx * px + qy * py);
           });
-        const double q     = kx + ky > 0 ? std::hypot(qx, qy) : // of the longest wave
+        const double q     = kx + ky > 0 ? std::hypot(qx, qy) : // or the longest wave
                            2 * pi / std::max(grid.lx, grid.ly);
         const double ratio = dot(wave, act(wave)) / dot(wave, wave) / expected(q);
         smallest           = std::min(smallest, ratio);
@@ -119,7 +118,7 @@ namespace
   INSTANTIATE_TEST_SUITE_P(
     Grids,
     TwoScaleOperatorOn,
-    testing::Values(PeriodicGrid{128, 128, 1., 1.}, // on 3 ranks boxes are shared
+    testing::Values(PeriodicGrid{128, 128, 1., 1.}, // 3 ranks share some boxes
                     PeriodicGrid{64, 96, 2., 2.5},
                     PeriodicGrid{64, 96, 2., 2.},
                     PeriodicGrid{66, 70, 1., 1.},

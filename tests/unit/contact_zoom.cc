@@ -29,7 +29,7 @@ namespace
     return window;
   }
 
-  /** Two windows of the grid, the first across the seam and with one of its own. */
+  /** A grid with two windows; the first crosses the seam and contains another one. */
   SlabLayoutPtr
   nested_layout()
   {
@@ -39,7 +39,7 @@ namespace
                          window_at(-1, 1, 30, 10, 20, 20)});
   }
 
-  /** Rough values at all points that no finer ones cover, the same on all ranks. */
+  /** Return rough values, the same on all ranks; 0 at points that windows cover. */
   SlabField
   rough_values(const SlabLayoutPtr &layout, const double a)
   {
@@ -114,7 +114,7 @@ namespace
     EXPECT_GT(Maa, 0.);
     EXPECT_NEAR(weighted(problem, a, Mb),
                 weighted(problem, b, Ma),
-                1e-7 * std::sqrt(Maa * Mbb)); // of seven digits
+                1e-7 * std::sqrt(Maa * Mbb)); // single precision
   }
 
   TEST(Zoom, StepsAreAnsweredToSevenDigitsInTheirPlace)
@@ -133,7 +133,7 @@ namespace
         EXPECT_NEAR(step[i], u[i], 1e-6 * most) << i;
   }
 
-  // A pressure that the grid itself hardly resolves, within a window.
+  // A pressure within a window, too narrow for the grid itself to resolve well.
   TEST(Zoom, DisplacementIsThatOfTheFineGrid)
   {
     const int  n      = 64;
@@ -155,7 +155,7 @@ namespace
     HalfSpaceProblem(fine_p, 1.).apply(fine_p.data(), fine_u.data());
     const std::vector<double> line = fetch_rows(fine_u, {3 * 26});
     const double              most = max_value(fine_u);
-    // Row 26 of the grid, at y = 0.4, in the window and beside it.
+    // Compare on row 26 of the grid, near y = 0.4, in the window and beside it.
     const ZoomWindow &window = layout->windows()[0];
     const std::size_t row =
       layout->start_of_window(0) +
@@ -185,7 +185,7 @@ namespace
     EXPECT_TRUE(zoomed.converged);
     EXPECT_LE(zoomed.iterations, 30);
     EXPECT_NEAR(mean(zoomed.pressure), load, 1e-13);
-    // What is left is the error of the contact around the window.
+    // The remaining difference is the error of the contact around the window.
     const ZoomWindow         &window = zoomed.gap.layout().windows()[0];
     const std::vector<double> line   = fetch_rows(expected.gap, {0});
     const std::size_t         row    = zoomed.gap.layout().start_of_window(0) +
@@ -193,14 +193,14 @@ namespace
     for (int ix = 0; ix < window.n_columns(); ++ix)
       EXPECT_NEAR(zoomed.gap[row + ix], line[3 * window.x - 1 + ix], 2e-3 * gap) << ix;
 
-    // The way to the next load begins where the last two lead.
+    // The third load starts on the line through the last two states.
     const ContactState next = solver.solve(1.002 * load, &zoomed);
     EXPECT_TRUE(next.gap.layout().windows() == start.pressure.layout().windows());
     const ContactState third = solver.solve(1.004 * load, &next);
     EXPECT_LE(third.iterations, next.iterations);
     EXPECT_NEAR(saddle(third.gap), saddle(fine.solve(1.004 * load).gap), 2e-3 * gap);
 
-    // From far away, or without a window again.
+    // Go on to a distant load, then start again without windows.
     const ContactState far = solver.solve(.5 * load, &third);
     EXPECT_NEAR(far.mean_gap, fine.solve(.5 * load).mean_gap, 1e-4 * far.mean_gap);
     const ContactState out = solver.solve(load);
@@ -237,7 +237,7 @@ namespace
                   2e-3 * gap)
         << ix;
 
-    // It leaves nothing behind, and a uniform one only carries load.
+    // A fluid leaves no trace in the solver, and a uniform one only carries load.
     const ContactState dry = solver.solve(load - .1, &start);
     const SlabField    uniform(layout, .1);
     const ContactState lifted = solver.solve(load, &zoomed, &uniform);

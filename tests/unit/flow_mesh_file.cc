@@ -54,7 +54,7 @@ namespace strait
       const SealMesh mesh = make_seal_mesh(file, "strip");
       EXPECT_FALSE(mesh.is_ring);
       EXPECT_TRUE(mesh.circles.empty());
-      // Along x the right wall is the lower one.
+      // The flow is along x, so that the right wall is the lower one.
       for (const SealMesh::Edge &edge : mesh.edges)
         {
           const double y = .5 * (mesh.points[edge.from][1] + mesh.points[edge.to][1]);
@@ -87,7 +87,7 @@ namespace strait
       EXPECT_TRUE(mesh.is_ring);
       EXPECT_TRUE(mesh.flows_outwards);
       EXPECT_LT(mesh.pole.distance({.5, .5}), .1);
-      EXPECT_EQ(mesh.circles.size(), 8U); // four arcs each
+      EXPECT_EQ(mesh.circles.size(), 8U); // four arcs of each circle
       for (const SealMesh::Circle &circle : mesh.circles)
         EXPECT_LT(circle.centre.distance({.5, .5}), 1e-9);
       double area = 0.;
@@ -104,7 +104,7 @@ namespace strait
       for (MeshFile::Line &line : file.lines)
         line.boundary_id = 1 - line.boundary_id;
       EXPECT_FALSE(make_seal_mesh(file, "inwards").flows_outwards);
-      // Cells may be numbered clockwise.
+      // The corners of a cell may be numbered clockwise.
       for (auto &corners : file.quadrilaterals)
         std::swap(corners[1], corners[3]);
       EXPECT_EQ(make_seal_mesh(file, "clockwise").cells.size(), mesh.cells.size());
@@ -130,7 +130,7 @@ namespace strait
       EXPECT_NE(
         parse(replaced(good, "\n0 0.25 0\n0 2", "\n0.3 0.6 0\n0 2")).find("convex"),
         std::string::npos);
-      // Cut anywhere, it is refused and not misread.
+      // A file that ends early, anywhere, is refused and not misread.
       for (std::size_t n = 0; n + 20 < good.size(); n += 7)
         EXPECT_NE(parse(good.substr(0, n)), "") << n;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whatever the gap at the corners of a cell, what is found of it is bounds, and close
-// ones where it varies little.
+// For any gap at the grid points, its range on a cell and the moments of its coefficients
+// are bounds, and close ones where the gap varies little.
 #include <strait/interface/cell_quadrature.h>
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace strait
         return std::uniform_real_distribution<double>(low, high)(random);
       }
 
-      /** Of a gap that varies by exp(@p variation) from point to point. */
+      /** Return random gaps that differ by factors of up to exp(@p variation). */
       GapStencil
       stencil(const double variation)
       {
@@ -33,7 +33,7 @@ namespace strait
         return gap;
       }
 
-      /** A quarter, a half or all of the cell. */
+      /** Return a random square with a quarter, a half or all of the cell's edge. */
       Square
       square()
       {
@@ -71,7 +71,8 @@ namespace strait
               EXPECT_GE(range.highest, *highest * (1 - 1e-12));
               if (halving == 0)
                 widest = range.highest - range.lowest;
-              // Twice as steep as on average over the cell, or twelve times.
+              // Along each axis the gap is at most twice as steep as on average over the
+              // cell. As bounds on a part are not exact, twelve times are allowed.
               EXPECT_LE(range.highest - range.lowest, 12. * edge * widest);
             }
         }
@@ -81,7 +82,7 @@ namespace strait
     {
       const CellQuadrature quadrature(GetParam());
       const GapInterpolant interpolant{GetParam().interpolation, GetParam().direction};
-      constexpr int        n = 128; // parts for the expected integral
+      constexpr int        n = 128; // midpoints along each axis for the expected integral
       for (int k = 0; k < 60; ++k)
         {
           const double         variation = number(.05, 4.);
@@ -101,7 +102,7 @@ namespace strait
                 cell.evaluate(1, &x, &y, &value);
                 expected += law(value) / (n * n);
               }
-          // Points may agree by chance, though on nothing worse than this.
+          // Both quadrature rules may be wrong alike by chance, but by no more than this.
           EXPECT_GE(moments[0], expected * (1. - 5e-4)) << variation;
           if (!GetParam().rigorous_bounds && variation < 1.)
             {
@@ -120,7 +121,7 @@ namespace strait
             for (double &value : row)
               if (k % 2 == 0 && number(0., 1.) < .4)
                 value = 0.; // contact
-          if (k % 4 == 1)   // the same on lines beside each other
+          if (k % 4 == 1)   // two equal grid lines
             gap[2] = gap[1];
           if (k % 4 == 3) // symmetric about the diagonal
             for (int j = 0; j < 4; ++j)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The moments of a gap on a grid with windows are those of a finer grid.
+// The moments of a gap on a grid with windows are those on a grid as fine as the window.
 #include <strait/interface/gap_field.h>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace strait
     constexpr int    n  = 24;
     constexpr double lx = 2., ly = 1.;
 
-    /** Periodic, and closed in places unless raised. */
+    /** A periodic gap, closed in places unless it is @p raised. */
     double
     gap_at(const double x, const double y, const double raised = 0.)
     {
@@ -38,12 +38,12 @@ namespace strait
                     [=](const double x, const double y) { return gap_at(x, y, raised); });
     }
 
-    // The grid, a window across its seam, one in that, and another one beside both.
+    // A window across the seam of the grid, another one beside it, and one in the first.
     const std::vector<ZoomWindow> windows = {{-1, 1, 5, 18, 10, 11},
                                              {-1, 1, 17, 3, 4, 5},
                                              {0, 2, 6, 7, 15, 12}};
 
-    /** Whether all corners of a cell of the grid lie in the first window. */
+    /** Whether the first window covers all corners of cell (@p i, @p j) of the grid. */
     bool
     is_in_first(const int i, const int j)
     {
@@ -61,8 +61,8 @@ namespace strait
     bool
     is_in_third(const int i, const int j)
     {
-      // Its points cover 6 … 20 and 7 … 18 of those of the first window, of which every
-      // third, from 1 on, is a point of the grid: 7 … 19 and 7 … 16.
+      // It covers columns 6 … 20 and rows 7 … 18 of the first window, of which every
+      // third, from 1 on, belongs to the grid: columns 7 … 19 and rows 7 … 16.
       return i >= 5 + 2 && i + 1 <= 5 + 6 && j >= 18 + 2 && j + 1 <= 18 + 5;
     }
 
@@ -79,8 +79,8 @@ namespace strait
         return field;
       }
 
-      /** The moments of cell (@p i, @p j) of the coarse grid's cells of 2^@p exponent
-       *  spacings from those of a grid @p factor times as fine. */
+      /** Return the moments of @p cell of the coarse grid, summed up from those of the
+       *  cells of @p finer, whose grid is @p factor times as fine. */
       static std::vector<double>
       sum_up(const GapField   &finer,
              const int         factor,
@@ -121,7 +121,7 @@ namespace strait
               const bool     is_window = is_in_first(i, j) || is_in_second(i, j);
               if (is_in_first(i, j) && !is_third && i >= 6 && i <= 11 && j >= 19 &&
                   j <= 23)
-                continue; // a mixture of two levels
+                continue; // partly covered by the third window
               const CellMoments moments_of_own = levels.moments_on(coefficient, {cell});
               const auto        expected = is_third ? sum_up(finest, 9, coefficient, cell)
                                            : is_window ? sum_up(fine, 3, coefficient, cell)
@@ -136,8 +136,9 @@ namespace strait
       EXPECT_GT(n_compared[0], 800);
     }
 
-    // However a cell is divided, its parts are the whole, and so they are in the pyramid.
-    // Cut cells of a level are integrated in parts, so that quadrature shows.
+    // Cells of several spacings are summed up from those of the grid, so that they are
+    // the sums of their children to rounding. Smaller cells are integrated one by one,
+    // and differ from the sums by the error of quadrature.
     TEST_P(GapFieldLevels, CellsAreTheSumsOfTheirChildren)
     {
       const GapField   levels = field_of(on_grid_with(windows, .7));
@@ -146,7 +147,7 @@ namespace strait
            {Coefficient::conductivity, Coefficient::resistivity})
         for (int exponent = 3; exponent > -4; --exponent)
           {
-            // Some two hundred cells, from all over the box.
+            // 200 cells from all over the box.
             const int n_cells = exponent > 0 ? n >> exponent : n << -exponent;
             for (int k = 0; k < 200; ++k)
               {
@@ -166,7 +167,7 @@ namespace strait
           }
     }
 
-    // What is asked for with a window of no use is what it is without.
+    // Cells that a window does not cover have the moments that they have without it.
     TEST(GapFieldLevels, WindowsChangeNothingElsewhere)
     {
       FluidParameters fluid;
@@ -184,7 +185,7 @@ namespace strait
       for (std::size_t c = 0; c < cells.size(); ++c)
         for (int m = 0; m < a.moment_set().size(); ++m)
           EXPECT_EQ(x[c][m], y[c][m]);
-      // And when there are none any more.
+      // A window that is gone leaves no trace.
       a.update(without);
       EXPECT_EQ(a.moments_on(Coefficient::conductivity, {{0, 7, 7}})[0][0],
                 b.moments_on(Coefficient::conductivity, {{0, 7, 7}})[0][0]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Gases between plates from viscous to molecular flow, and bounds of what flows through
+// Flow of gases between plates, from viscous to molecular, and bounds of the flow through
 // networks of channels.
 #include <strait/interface/rarefied_flow.h>
 
@@ -31,7 +31,7 @@ namespace strait
         EXPECT_NEAR(RarefiedGas::poiseuille_coefficient(delta), value, 7e-5) << delta;
     }
 
-    // Fits of Fukui and Kaneko (1990) for the same walls.
+    // Fits of Fukui and Kaneko (1990) for walls that reflect diffusely.
     double
     fukui_kaneko(const double d)
     {
@@ -62,7 +62,7 @@ namespace strait
                     RarefiedGas::poiseuille_coefficient(1e-5),
                   std::log(10.) / std::sqrt(M_PI),
                   1e-9);
-      // Where δ is a thousand a gas that slips carries as much.
+      // At δ = 1000 slip of first order gives the same mobility.
       const FluidParameters slipping = helium(Rarefaction::slip);
       const double          p        = 1e3 * slipping.viscosity * slipping.thermal_speed;
       EXPECT_NEAR(RarefiedGas(helium(Rarefaction::transitional)).mobility(1., p) /
@@ -72,8 +72,9 @@ namespace strait
       EXPECT_DOUBLE_EQ(RarefiedGas(helium(Rarefaction::none)).mobility(1., 3.), 3.);
     }
 
-    // A channel of 10 mm by 1 mm from 2 to 1 bar, and that of 3.1 µm at 1 bar, where λ
-    // is 191.69 nm.
+    // Throughput of a channel, 10 mm wide and 1 mm long, from 2 to 1 bar: in closed form
+    // for viscous flow and slip, from the fits above for transitional flow. At 1 bar the
+    // mean free path is 191.69 nm.
     TEST(RarefiedGas, PlatesWithHelium)
     {
       const auto throughput = [](const FluidParameters &fluid, const double gap) {
@@ -117,7 +118,7 @@ namespace strait
           }
     }
 
-    // What drives the gas may be as little as rounding, or nothing.
+    // The pressures may differ by rounding only, or not at all.
     TEST(RarefiedFlow, PressuresThatHardlyDiffer)
     {
       for (const Rarefaction kind : {Rarefaction::slip, Rarefaction::transitional})
@@ -129,15 +130,16 @@ namespace strait
           }
     }
 
-    /** A channel, or several networks in a row or side by side. */
+    /** A channel, or several networks in series or in parallel. */
     struct Network
     {
       double               gap        = 0.;
-      double               resistance = 0.; // ∫ ds/gap³ over the width, of a channel
+      double               resistance = 0.; // of a channel: ∫ ds/gap³ over its width
       bool                 in_a_row   = false;
       std::vector<Network> parts;
 
-      /** Of channels with a conductivity @p factor of the gap beside the viscous one. */
+      /** Return the conductance, times 12 η, where the conductivity of a channel is
+       *  @p factor of its gap times the viscous one. */
       template <typename Factor>
       double
       conductance(const Factor &factor) const
@@ -150,7 +152,8 @@ namespace strait
         return in_a_row ? 1. / sum : sum;
       }
 
-      /** Of a gas, over the viscous conductivity. */
+      /** Return the throughput of a gas between the pressures @p low and @p high, times
+       *  12 η. */
       double
       throughput(const RarefiedGas &gas, const double low, const double high) const
       {
@@ -163,7 +166,8 @@ namespace strait
               sum += part.throughput(gas, low, high);
             return sum;
           }
-        // Two parts, from the higher pressure to the lower one; regula falsi, Illinois.
+        // Find the pressure between the two parts, of which the first is at the higher
+        // pressure, by regula falsi (Illinois).
         const auto surplus = [&](const double middle) {
           return parts[0].throughput(gas, middle, high) -
                  parts[1].throughput(gas, low, middle);
@@ -189,7 +193,7 @@ namespace strait
         return parts[1].throughput(gas, low, middle);
       }
 
-      /** The channels of the path of least resistance. */
+      /** Return the channels along the path of least resistance, sorted by gap. */
       std::vector<PathPart>
       path() const
       {
@@ -238,8 +242,8 @@ namespace strait
       return network;
     }
 
-    // The bounds hold whatever path they were made for; with the right one they are
-    // close.
+    // The bounds hold in any network, although they are chosen for a single path: that of
+    // least resistance, which makes them close.
     TEST(RarefiedFlow, BoundsOfRandomNetworks)
     {
       std::mt19937 random(1);
@@ -269,13 +273,14 @@ namespace strait
               const double    of_two    = flow.two_gas_lower_bound(viscous, molecular);
               EXPECT_LE(of_two, exact) << n;
               n_closer += of_two > lower ? 1 : 0;
-              // Each of the gases alone, and what the other adds at least to it.
+              // The bound is no less than what one of the two gases leaks alone plus θ
+              // times what the other one does.
               const double p_in = fluid.inlet_pressure, p_out = fluid.outlet_pressure;
               const double theta =
                 8. / 9. * std::pow(std::pow(p_in, 1.5) - std::pow(p_out, 1.5), 2) /
                 ((p_in - p_out) * (p_in * p_in - p_out * p_out));
               const double r = flow.gas.mobility(1e-7, 0.) /
-                               (*flow.molecular_weight)(1e-7); // of the reference gap
+                               (*flow.molecular_weight)(1e-7); // at the reference gap
               const double of_viscous = (p_in - p_out) * viscous;
               const double of_molecular =
                 (p_in - p_out) * r * molecular / fluid.mean_pressure();
@@ -291,7 +296,8 @@ namespace strait
       EXPECT_GT(n_closer, 10);
     }
 
-    // Of channels in a row the bounds are what flows there, either way round.
+    // Channels in series attain the bounds: the upper one with the wide channel at the
+    // inlet, the lower one with the narrow channel there. Expected numbers: closed form.
     TEST(RarefiedFlow, ChannelsInARowForwardAndBackward)
     {
       const FluidParameters fluid = slipping_helium();

@@ -12,7 +12,7 @@
 
 namespace
 {
-  /** Ranks above 0 print their failures only, with their number. */
+  /** For ranks other than 0: print failures only, with the number of the rank. */
   class FailurePrinter : public testing::EmptyTestEventListener
   {
   public:
@@ -41,7 +41,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  // Starts p4est, PETSc and their like as well, which the flow needs; one thread.
+  // Also starts p4est, PETSc and other libraries that the flow needs; one thread.
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   testing::InitGoogleTest(&argc, argv);
   const int rank = strait::rank_in(MPI_COMM_WORLD);
@@ -56,7 +56,7 @@ main(int argc, char **argv)
     }
   int failed = RUN_ALL_TESTS();
   MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-  // A filter that matches nothing must not pass for a success.
+  // A filter that matches nothing must not count as success.
   if (failed == 0 && testing::UnitTest::GetInstance()->test_to_run_count() == 0)
     {
       if (rank == 0)

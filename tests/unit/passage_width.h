@@ -8,7 +8,7 @@
 
 namespace strait
 {
-  /** How far the ends of @p passage are apart, in parts of the larger one. */
+  /** Return the distance between the two values of @p passage, relative to the larger. */
   inline double
   relative_width(const EnclosingPair &passage)
   {

@@ -62,7 +62,7 @@ namespace strait
       return result;
     }
 
-    /** Transposed, so that a picture of flow along x tells of flow along y. */
+    /** Exchange rows and columns, so that a picture for flow along x is one for y. */
     std::vector<std::string>
     transposed(const std::vector<std::string> &rows)
     {
@@ -133,7 +133,7 @@ namespace strait
                      "########"});
     }
 
-    /** A plain flood fill of the same rule. */
+    /** Mark the points that a plain flood fill by the same rule reaches from one side. */
     std::vector<int>
     flood(const std::vector<double> &gap, const int n, const bool from_inlet)
     {
@@ -169,7 +169,7 @@ namespace strait
       constexpr int n = 61;
       for (std::uint64_t seed = 1; seed <= 8; ++seed)
         {
-          // Around the site percolation threshold 0.593, where clusters wind most.
+          // Just above the site percolation threshold, 0.593, where clusters wind most.
           std::vector<double> whole(n * n);
           std::uint64_t       state = seed;
           for (double &value : whole)
@@ -220,12 +220,12 @@ namespace strait
       EXPECT_NEAR(path.bottleneck_gap, .1, 1e-15);
       EXPECT_NEAR(channel.throat.gap, .1, 1e-15);
       EXPECT_DOUBLE_EQ(path.resistances.front(), 0.);
-      // Half a spacing of a gap of 0.1 to both sides of it, 7 spacings of 0.6.
+      // Gap 0.1 for half a spacing to each side of the bottleneck, 0.6 for 7 spacings.
       EXPECT_NEAR(path.resistance(), (1e3 + 7. / .216) / 8, 1e-9);
       EXPECT_NEAR(min_value(channel.gap), -.4, 1e-15);
       EXPECT_NEAR(max_value(channel.gap), .6, 1e-15); // trapped fluid is left out
 
-      // No paths where none are sought, nothing where the layers meet.
+      // No paths if none are asked for, and nothing at all where the layers meet.
       EXPECT_TRUE(make_channel(gap, -.2, FlowDirection::x, 0).paths.empty());
       const Channel sealed = make_channel(gap, -.25, FlowDirection::x, 1);
       EXPECT_FALSE(sealed.percolates());
@@ -235,7 +235,7 @@ namespace strait
 
     TEST(FlowPath, TakesTheWideDetourAndFindsItsBottleneck)
     {
-      // A straight slit of gap 0.2 and a bent one of gap 1, with a neck of 0.5.
+      // Two straight slits: one of gap 0.2, and one of gap 1 with a neck of 0.5.
       const auto gap_at = [](const int ix, const int iy) {
         if (iy == 3)
           return .2;
@@ -254,7 +254,7 @@ namespace strait
       EXPECT_EQ(x[0].bottleneck.ix, 11);
       EXPECT_EQ(x[0].bottleneck.iy, 9);
       EXPECT_DOUBLE_EQ(x[0].bottleneck_gap, .5);
-      // 14 steps at gap 1, two half-way into the neck.
+      // 14 steps at gap 1, and two with one end in the neck.
       EXPECT_NEAR(x[0].resistance(), (14 * 1. + 2 * (.5 * 8 + .5)) / 16, 1e-12);
       EXPECT_NEAR(x[1].resistance(), 125., 1e-9);
       EXPECT_EQ(y[0].bottleneck.iy, 11);
@@ -263,8 +263,7 @@ namespace strait
 
     TEST(FlowPath, TakesAnotherChannelNotAnotherWayThroughTheSameThroat)
     {
-      // Two channels, 13 points wide: one with a throat of a gap of 0.5, the other of
-      // 0.2.
+      // Two channels, 13 points wide, with 0.5 and 0.2 of their usual gap at a throat.
       const SlabField gap   = fill(32, 32, [](const int ix, const int iy) {
         const double from_wall = std::min(iy % 16 - 1, 15 - iy % 16);
         const double throat    = ix == 16 ? (iy < 16 ? .5 : .2) : 1.;
@@ -274,7 +273,7 @@ namespace strait
       ASSERT_EQ(paths.size(), 2U);
       EXPECT_LT(paths[0].bottleneck.iy, 16);
       EXPECT_GT(paths[1].bottleneck.iy, 16);
-      // Of the same gaps one that resists more than any accuracy asks for is left out.
+      // A channel with more than 500 times the resistance of the first is left out.
       const SlabField uneven = fill(32, 32, [](const int ix, const int iy) {
         const double from_wall = std::min(iy % 16 - 1, 15 - iy % 16);
         const double throat    = ix == 16 ? (iy < 16 ? .5 : .02) : 1.;
@@ -285,7 +284,7 @@ namespace strait
 
     TEST(FlowPath, CrossesThePeriodicSideButNoTouchingCorners)
     {
-      // The only way climbs from row 0 over the periodic side to row 7.
+      // The only path leads from row 0 across the periodic side to row 7.
       const SlabField gap = fill(8, 8, [](const int ix, const int iy) {
         return (iy == 0 && ix <= 4) || (iy == 7 && (ix >= 4 || ix == 0)) ? 1. : 0.;
       });

@@ -16,7 +16,7 @@ namespace strait
 {
   namespace
   {
-    /** A rectangle with the inlet at its left, the outlet at its right side. */
+    /** A rectangle with the inlet on its left and the outlet on its right side. */
     std::vector<OutlineEdge>
     rectangle(const double x0, const double y0, const double x1, const double y1)
     {
@@ -84,7 +84,7 @@ namespace strait
 
     TEST(FlowRegion, TheFluidDoesNotLeaveThroughWallsOrTheSeam)
     {
-      // Open rows 0 and 7 are neighbours across the seam, but not for a fluid in a mesh.
+      // Open rows 0 and 7 are neighbours across the seam, but not in a region.
       const SlabField gap = sample(grid, [](const int x, const int y) {
         return (y == 0 && x < 5) || (y == 7 && x > 3) ? 1. : -1.;
       });
@@ -93,7 +93,7 @@ namespace strait
       EXPECT_FALSE(clusters.percolates);
       const SlabField wide =
         sample(grid, [](const int, const int y) { return y == 1 || y == 3 ? 1. : -1.; });
-      // Of two open rows one lies outside.
+      // One of the two open rows lies outside the region.
       const Clusters half = find_clusters(wide, domain_of(grid, rectangle(0, 2, 8, 6)));
       EXPECT_TRUE(half.percolates);
       const long long n_percolating =
@@ -105,8 +105,8 @@ namespace strait
 
     TEST(FlowRegion, VerdictPathAndBottleneckAgree)
     {
-      // A channel in the form of an S through a region off the grid lines, which narrows
-      // to @p narrow at (4, 5).
+      // An S-shaped channel that narrows to `narrow` at (4, 5), through a region whose
+      // outline lies between the grid lines.
       const FlowDomain domain = domain_of(grid, rectangle(.7, .7, 7.3, 7.3));
       for (const double narrow : {.25, -.25})
         {

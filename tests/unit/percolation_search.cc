@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Paths and bottlenecks of many blocks and ranks against textbook searches of the whole
-// grid.
+// Paths and bottlenecks, which are searched for block by block on all ranks, against
+// textbook searches of the whole grid.
 #include <strait/percolation/bottleneck.h>
 #include <strait/percolation/flow_path.h>
 
@@ -22,8 +22,8 @@ namespace strait
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr int    n_along = 150, n_across = 90;
 
-    /** Waves of random phase with values of both signs, at points along and across the
-     *  flow: the same on all ranks. */
+    /** A sum of waves of random phase, with values of both signs, the same on all ranks;
+     *  point a along and b across the flow has the number b * n_along + a. */
     std::vector<double>
     rough_values(const unsigned int seed)
     {
@@ -72,8 +72,9 @@ namespace strait
     }
 
     /**
-     * The least of the ways along the whole grid, by Dijkstra's algorithm; total(cost, a,
-     * b, da, db) is what a way costs after a step from (a, b) by (da, db).
+     * Return the least cost of a path through the whole grid, by Dijkstra's algorithm. A
+     * path begins at (0, b) with start(b); total(cost, a, b, da, db) is its cost after a
+     * step from (a, b) by (da, db).
      */
     double
     least_cost(const std::function<double(int)>                        &start,

@@ -45,7 +45,8 @@ namespace strait
                        0.,
                        {5, 32});
       EXPECT_TRUE(std::isnan(valley.length));
-      // In a crease the second difference is that of two points, however close they are.
+      // In a crease, the second difference grows as the spacing shrinks, and the width
+      // that follows from it is √(width · spacing).
       for (const int n : {64, 256})
         {
           const Throat crease =
@@ -60,8 +61,8 @@ namespace strait
         }
     }
 
-    // On a box of 128 × 32 points, of which those along it alone were counted, the
-    // critical load was 6 % off where 0.3 % was stated.
+    // When only the spacing along the throat counted, the critical load on a box of
+    // 128 × 32 points was 6 % off where 0.3 % was stated.
     TEST(Throat, PointsAreCountedByTheLargerSpacing)
     {
       const double length = .3, width = .2, g0 = .01;
@@ -112,7 +113,7 @@ namespace strait
 
     TEST(Bottleneck, OfTheWidestWayOnBothSidesOfClosing)
     {
-      // Two ways across: one with a neck of 0.3, one that is closed by -0.2.
+      // Two paths across the box: one with a neck of 0.3, one closed by a neck of −0.2.
       const auto field = [](const double shift) {
         return sample(32, [=](const double x, const double y) {
           if (std::abs(y - .25) < .02)
@@ -134,7 +135,7 @@ namespace strait
 
     TEST(Bottleneck, ReachesToTheEndOfABarrier)
     {
-      // A barrier across, most firmly closed in its middle, 2 n − 1 points thick.
+      // A barrier across the flow, 2 n − 1 points thick, firmest in its middle.
       for (const int n : {1, 4})
         {
           const Bottleneck found =

@@ -14,8 +14,8 @@ namespace
 
   TEST(WindowPath, ResistsLikeThatOfTheFineGrid)
   {
-    // A channel with a neck in the window. Outside of it the gap is constant, so that
-    // both grids integrate alike.
+    // A channel with a neck in the windows. Outside the neck, the gap does not change
+    // along the flow, so that both grids integrate it alike.
     for (const FlowDirection direction : {FlowDirection::x, FlowDirection::y})
       for (const double centre : {.5, 0.})
         {
@@ -39,7 +39,7 @@ namespace
           const FlowPath &path = channel.paths.front();
           EXPECT_EQ(path.bottleneck.window, 1);
           EXPECT_DOUBLE_EQ(path.bottleneck_gap, reference.paths.front().bottleneck_gap);
-          // The first window integrates with thirds as large as the fine grid.
+          // The outer window integrates with three times the spacing of the fine grid.
           EXPECT_NEAR(path.resistance() / reference.paths.front().resistance(), 1., 2e-3);
           const std::vector<ThroatOnPath> found = throats(channel, zoomed, 0.);
           ASSERT_EQ(found.size(), 1U);
@@ -53,8 +53,8 @@ namespace
 
   TEST(WindowPath, LeavesOtherThroatsToFurtherPaths)
   {
-    // Two necks side by side, the narrower one in a window: the second path must not
-    // squeeze through the first neck beside the first path.
+    // Two necks side by side, the wider one in a window: the second path must not squeeze
+    // through the first neck beside the first path.
     const auto necks = [](const double x, const double y) {
       const double s = x - .5;
       for (const auto &[centre, gap] : {std::pair(.25, .3), {.75, .2}})
@@ -78,8 +78,8 @@ namespace
 
   TEST(WindowPath, FindsAThroatOnTheSeamAsLongAsItIs)
   {
-    // The path enters through one neck on the seam and leaves through another one; the
-    // other half of either leads nowhere, and the channel is closed there.
+    // The path enters through one neck on the seam and leaves through another one. The
+    // other half of each neck leads nowhere: the channel is closed there.
     const auto gap_at = [](const double x, const double y) {
       const double s      = std::remainder(x, 1.);
       const double along  = .2 + 40 * s * s;
@@ -101,8 +101,8 @@ namespace
 
   TEST(WindowThroat, IsMeasuredByItsOwnLevelAndBeyond)
   {
-    // As a contact leaves it close to its lines, turned by 30°, and so long that the
-    // gap doubles outside of the window.
+    // The gap near the edge of a contact, g ~ (t0 − t)^(3/2), turned by 30°, in a throat
+    // so long that the gap doubles outside the windows.
     const double length = .14, width = .05, g0 = .01;
     const auto   gap = [=](double x, double y) {
       x -= .5;
@@ -118,7 +118,7 @@ namespace
     EXPECT_NEAR(throat.doubling_length, length, 5e-3 * length);
     EXPECT_NEAR(throat.width, width / std::sqrt(1.5), 1e-3 * width);
     EXPECT_NEAR(throat.points, length * 64 * 9, .01 * throat.points);
-    // The grid has few points across, but enough to know the length.
+    // The grid alone has few points across, but enough to measure the length.
     const Throat coarse = measure_throat(sample(layout_with(32, {}), gap), 0., {16, 16});
     EXPECT_NEAR(coarse.points, length * 32, .1 * coarse.points);
   }

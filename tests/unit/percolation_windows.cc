@@ -15,8 +15,8 @@ namespace
   using namespace window_tests;
 
   /**
-   * The rule of open on levels, told plainly: points are places, edges lead from place
-   * to place. Keeps what an inlet or outlet reaches.
+   * The clusters of a grid with windows, computed independently: a graph of the places of
+   * open points on all levels, flooded from inlet and outlet.
    */
   class PlainGraph
   {
@@ -45,7 +45,7 @@ namespace
                                  static_cast<std::size_t>(iy) * n_columns + ix] > 0;
                     });
         }
-      // The seam, open across the flow only.
+      // The grid is periodic across the flow only.
       for (int k = 0; k < n; ++k)
         if (direction == FlowDirection::x)
           add_edge(-1, {k, n - 1}, {k, 0});
@@ -132,8 +132,8 @@ namespace
     std::map<Place, std::vector<Place>> edges;
   };
 
-  /** Two windows, the first of which crosses the seam across the flow along x, with one
-   *  in it, and the same for flow along y. */
+  /** Two windows, of which the first crosses the periodic sides and contains a third one;
+   *  transposed for flow along y. */
   std::vector<ZoomWindow>
   windows_for(const FlowDirection direction)
   {
@@ -175,12 +175,12 @@ namespace
             }
           n_leaking += clusters.percolates ? 1 : 0;
         }
-    // The noise is close to the threshold of sites.
+    // An open fraction of 0.62 is close to the site percolation threshold, 0.593.
     EXPECT_GT(n_leaking, 2);
     EXPECT_LT(n_leaking, 14);
   }
 
-  /** From each point to the next one spacing of a level, along, across or both. */
+  /** Expect that each step of a path is one spacing of a level, straight or diagonal. */
   void
   expect_small_steps(const FlowPath &path, const SlabLayout &layout)
   {
@@ -218,7 +218,7 @@ namespace
               for (double &value : less)
                 value -= found.value * (above ? 1. : 1. - 1e-12);
               EXPECT_EQ(find_clusters(less, direction).percolates, !above);
-              // Where clusters percolate there is a path, and none where not.
+              // There is a path exactly where clusters percolate.
               const Channel channel = make_channel(less, 0., direction, 1);
               ASSERT_EQ(channel.paths.size(), above ? 0U : 1U);
               if (!above)
@@ -273,8 +273,8 @@ namespace
       else
         EXPECT_TRUE(kept[k] == -3. || kept[k] == -1.);
     EXPECT_GT(n_pocket, 9);
-    // Beside the channel the closed points of each level are raised, of the grid only
-    // where the window does not know better.
+    // Beside the channel, the closed points of each level are raised; grid points that
+    // the window covers take its values.
     const SlabLayout &layout = gap.layout();
     layout.for_each_covered([&](const std::size_t k, const std::size_t in_window) {
       EXPECT_EQ(kept[k], kept[in_window]);
@@ -282,7 +282,7 @@ namespace
     const auto in_window = [&](const int ix, const int iy) {
       return kept[layout.start_of_window(0) + static_cast<std::size_t>(iy) * 42 + ix];
     };
-    // The first open row is 12.8 → 13 on the grid, 38.4 → 39 in thirds, or 19 there.
+    // The first open row is 13 (12.8) of the grid, 39 (38.4) in thirds, 19 of the window.
     EXPECT_EQ(in_window(20, 19), 1.);
     EXPECT_EQ(in_window(20, 18), -1.);
     EXPECT_EQ(in_window(20, 17), -3.);
@@ -290,8 +290,8 @@ namespace
 
   TEST(WindowBottleneck, IsThatOfTheFineGrid)
   {
-    // Windows of two levels around the bottleneck, which for these seeds is not at the
-    // inlet or outlet, against a grid as fine as the second.
+    // Windows of two levels around the bottleneck against a grid as fine as the second
+    // level. For these seeds, the bottleneck is not at the inlet or outlet.
     constexpr int n = 48;
     for (const std::uint64_t seed : {1U, 4U, 6U, 8U})
       {

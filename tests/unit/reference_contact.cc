@@ -11,7 +11,7 @@ namespace
 {
   using namespace strait::reference;
 
-  /** ∫ f from @p a to @p b, with square-root ends mapped to smooth ones. */
+  /** ∫ f from @p a to @p b; the substitution x ~ sin t smooths ends like square roots. */
   template <class Function>
   double
   integral(const Function &f, const double a, const double b)
@@ -115,8 +115,8 @@ namespace
     EXPECT_NEAR(product_wave::full_pressure(0.1, 2., 3.),
                 std::sqrt(2.) * M_PI * 0.15,
                 1e-14);
-    // Low load is Hertz's contact of one crest a cell of λ²/2, of curvature
-    // (2π/λ)² Δ, here with λ = Δ = E* = 1.
+    // At low load, each cell of λ²/2 has one Hertzian contact, on a crest of curvature
+    // (2π/λ)² Δ; here λ = Δ = E* = 1.
     const double load  = 1e-4;
     const double force = load * product_wave::full_pressure(1., 1., 1.) / 2;
     const double a     = Hertz{force, 1 / (4 * M_PI * M_PI), 1.}.contact_radius();

@@ -12,7 +12,7 @@ namespace
 {
   using namespace strait::reference;
 
-  /** The mean of a function of period 1; converges exponentially. */
+  /** The mean of a smooth function of period 1; the sum converges exponentially. */
   template <class Function>
   double
   periodic_mean(const Function &f)
@@ -54,7 +54,7 @@ namespace
     EXPECT_NEAR(conductivity_around_discs(0.3), 0.537580, 1e-6);
     EXPECT_NEAR(conductivity_around_discs(0.5), 0.324657, 1e-6);
     EXPECT_EQ(conductivity_around_discs(0.), 1.);
-    // Few discs: Maxwell's (1 − f)/(1 + f).
+    // For few discs: Maxwell's formula (1 − f)/(1 + f).
     EXPECT_NEAR(conductivity_around_discs(0.01), 0.99 / 1.01, 1e-8);
   }
 

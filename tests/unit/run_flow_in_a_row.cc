@@ -12,7 +12,7 @@ namespace strait
 {
   namespace
   {
-    /** Leak rates of a box with this gap, and of two in a row. */
+    /** The leakage of one box with some gap, and of two such boxes in a row. */
     struct OneAndTwo
     {
       Leakage one, two;
@@ -47,8 +47,9 @@ namespace strait
 
     TEST(FlowInARow, TheFluidHasToFindTheWayInTheMiddle)
     {
-      // Alone the fluid enters below and leaves above, at full width all the way; in a
-      // row it has to squeeze from the upper half to the lower one between the boxes.
+      // In one box, the fluid enters through the lower half and leaves through the upper
+      // one, and the gap is wide all the way. In a row, it must squeeze from the upper
+      // half to the lower one where the boxes meet.
       const auto ends = leak([](const double x, const double y) {
         const bool wide = y < .5 ? x < .8 : x > .2;
         return wide ? 1. : .2;
@@ -62,8 +63,7 @@ namespace strait
         leak([](const double x, const double) { return x > .4 && x < .6 ? 0. : 1.; });
       EXPECT_EQ(sealed.one.rate, 0.);
       EXPECT_EQ(sealed.two.rate, 0.);
-      // A channel that leads from one side to the other at another place leads nowhere in
-      // a row.
+      // A channel that enters and leaves the box at different places is blocked in a row.
       const auto jumps = leak([](const double x, const double y) {
         const bool first = x < .6 && y > .1 && y < .3;
         const bool last  = (x > .4 || x == 0.) && y > .6 && y < .8;

@@ -30,7 +30,7 @@ namespace
                            "Fluid/Inlet pressure=1e-3",
                            "Load programme/Pressures=0.1"};
 
-  /** The only warning, or the error, of a scene. */
+  /** The only warning of check_numbers() for a scene, or its error; else "none". */
   std::string
   finding(const Overrides &more)
   {
@@ -56,7 +56,7 @@ namespace
     expect_in("Fluid/Viscosity is 1e+09 Pa s", finding({"Fluid/Viscosity=1"}));
     expect_in("Surface/Size is 1 m", finding({"Surface/Size=1000, 50"}));
     expect_in("Surface/Size is 1e-09 m", finding({"Surface/Size=1e-6, 50"}));
-    // 8 for 8 GPa where the unit is Pa.
+    // A modulus of 8 GPa is written as 8, although the unit is Pa.
     expect_in("error: The nominal pressure of 1e+06 Pa is more than",
               finding({"Units/Pressure=Pa",
                        "Contact/Effective modulus=8",
@@ -74,7 +74,7 @@ namespace
               finding({"Fluid/Inlet pressure=0.101"}));
     EXPECT_EQ(finding({"Fluid/Inlet pressure=0.101", "Fluid/Wall feedback/Enabled=true"}),
               "none");
-    // Absolute pressures of a gas: the difference presses.
+    // The pressures of a gas are absolute: only their difference lifts the walls.
     EXPECT_EQ(finding({"Fluid/State=gas",
                        "Fluid/Inlet pressure=0.15",
                        "Fluid/Outlet pressure=0.1"}),
@@ -144,7 +144,7 @@ namespace
   TEST(Guards, MostMemoryIsThatOfTheLargestFields)
   {
     const double              before = peak_memory(MPI_COMM_SELF);
-    const double              bytes  = before + 1e8; // whatever is there already
+    const double              bytes  = before + 1e8; // more than the peak so far
     const std::vector<double> field(static_cast<std::size_t>(bytes / 8), 1.);
     EXPECT_NEAR(field.back(), 1., 0.);
     EXPECT_GT(peak_memory(MPI_COMM_SELF), bytes);
@@ -154,19 +154,19 @@ namespace
   TEST(Guards, Memory)
   {
     Scene scene = scene_of("", {"Contact/Grid points=1024, 512"});
-    // 64 bytes a point were measured.
+    // Measured: 64 B per point.
     EXPECT_NEAR(memory_of_grid(scene) / (1024 * 512), 64., 8.);
-    // 92 to 100 with the seals on every second and fourth point.
+    // 92 to 100 B with the seals on every second and every fourth point.
     const Scene compared =
       scene_of("", {"Contact/Grid points=1024, 512", "Output/Error budget=true"});
     EXPECT_NEAR(memory_of_grid(compared) / (1024 * 512), 96., 8.);
-    // 240 with the pressures of a fluid that presses on the walls.
+    // 240 B with the pressures of a fluid that presses on the walls.
     const Scene pressed = scene_of("",
                                    {"Contact/Grid points=1024, 512",
                                     "Fluid/Wall feedback/Enabled=true",
                                     "Fluid/Inlet pressure=0.02"});
     EXPECT_NEAR(memory_of_grid(pressed) / (1024 * 512), 250., 20.);
-    // The patches of a seal that is wider than one.
+    // A seal with several patches in a row needs the flow through two boxes as well.
     const Scene seal = scene_of("",
                                 {"Contact/Grid points=1024, 512",
                                  "Seal/Enabled=true",
@@ -187,7 +187,7 @@ namespace
       {
         expect_in("65535 x 65535", error.what());
       }
-    // One of these fits, and many beside each other do not.
+    // One such grid fits into memory; 100000 of them at the same time do not.
     scene.contact.grid_points = {{1024, 512}};
     try
       {
@@ -243,7 +243,7 @@ namespace
     write("parameters.prm", scene({}).resolved);
     EXPECT_EQ(refusal(), "none");
     EXPECT_EQ(refusal({"Output/Fields=all"}), "none");
-    // As an earlier version, with fewer parameters, left it.
+    // The file of an earlier version, which had fewer parameters.
     write("parameters.prm", "subsection Surface\n set Seed = 1\nend\n");
     EXPECT_EQ(refusal(), "none");
   }

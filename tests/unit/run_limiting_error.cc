@@ -21,21 +21,21 @@ namespace strait
       return scene;
     }
 
-    /** Whether what is said of @p scene, of rms slope .5, contains @p text. */
+    /** Whether limiting_error() of @p scene, at an rms slope of 0.5, contains @p text. */
     bool
     says(const Scene &scene, const std::string &text)
     {
       return limiting_error(scene, .5).find(text) != std::string::npos;
     }
 
-    // doc/paper.md, 1024²: 15 points at 0.01, 6.8 at 0.0025.
+    // From doc/paper.md, for 1024²: 15 points at ε = 0.01, and 6.8 at 0.0025.
     TEST(LimitingError, ThroatOfTheSaddle)
     {
       EXPECT_TRUE(says(saddle(1024, .01), "about 15 grid points along the throat"));
       EXPECT_TRUE(says(saddle(512, .0025), "about 3.4 grid points along the throat"));
     }
 
-    // The table of sixteen realisations: 3.9 points at 0.2, 1.1 at 0.02.
+    // Means of sixteen realisations on 512² points: 3.9 points at ε = 0.2, 1.1 at 0.02.
     TEST(LimitingError, ThroatOfARoughSurface)
     {
       Scene scene;
@@ -61,7 +61,7 @@ namespace strait
       EXPECT_TRUE(says(zoomed, "below about 6.1e-05"));
     }
 
-    // 2.9 points where 3 are needed: not "1.0 times as many".
+    // For 2.9 points where 3 are needed, a grid is named, not "1.0 times as many".
     TEST(LimitingError, NamesAGridThatWouldDo)
     {
       const Scene scene = saddle(449, .0025);

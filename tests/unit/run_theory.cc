@@ -23,7 +23,7 @@ namespace
     return scene;
   }
 
-  /** The threshold at a load that is known exactly. */
+  /** A critical load that is known exactly. */
   Transition
   threshold_at(const double load, const double slip_length = 0.)
   {
@@ -90,7 +90,7 @@ namespace
         gap(ix, row) = 0.;
     Transition threshold   = threshold_at(.2);
     threshold.contact_area = .4;
-    // A share of .3 that does not conduct, sealed at .4: 1 − .3/.4.
+    // A fraction of 0.3 does not conduct, and 0.4 would seal: 1 − 0.3/0.4 = 0.25.
     EXPECT_NEAR(theory.predict(.1, 0., &gap, &threshold).leak_rate, .25 / 12, 1e-13);
     threshold.contact_area = .29;
     EXPECT_EQ(theory.predict(.1, 0., &gap, &threshold).leak_rate, 0.);
@@ -120,6 +120,6 @@ namespace
     const TheoryResult     a = model.predict(.05, 0., nullptr, nullptr);
     const TheoryResult     b = measured.predict(.05, 0., nullptr, nullptr);
     EXPECT_NEAR(b.contact_area / a.contact_area, 1., 1e-9);
-    EXPECT_NEAR(b.mean_gap / a.mean_gap, 1., .2); // the longest waves are few
+    EXPECT_NEAR(b.mean_gap / a.mean_gap, 1., .2); // there are few long waves
   }
 } // namespace

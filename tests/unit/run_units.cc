@@ -68,7 +68,7 @@ namespace
     for (const TableInfo &table : all_tables(scene))
       for (const ColumnInfo &column : table.columns)
         {
-          // run.json and the readers of tables know a column by its name alone.
+          // run.json and the readers of tables tell a column's unit by its name alone.
           const std::string own = in_units_of(column.unit, scene.units);
           EXPECT_EQ(unit.emplace(column.name, own).first->second, own) << column.name;
         }
@@ -106,7 +106,7 @@ namespace
       all << std::ifstream(path).rdbuf();
       return all.str();
     };
-    if (rank_in(MPI_COMM_WORLD) != 0) // one of them writes
+    if (rank_in(MPI_COMM_WORLD) != 0) // one rank writes
       return;
     make(true).write_rows(folder.path(), {{"a", .2, 3}});
     EXPECT_EQ(text(), "name,count,half\na,3,0.10000000000000001\n");

@@ -23,12 +23,12 @@ namespace
                             "Surface/Kind=flat"};
   const Overrides helium = {"Fluid/State=gas", "Fluid/Gas=helium"};
 
-  /** A fluid that acts on the walls. */
+  /** A fluid that presses on the walls. */
   const Overrides pressed = in_si + Overrides{"Contact/Effective modulus=1e11",
                                               "Fluid/Inlet pressure=1e6",
                                               "Fluid/Wall feedback/Enabled=true"};
 
-  /** A step of a contact with a path of one gap throughout. */
+  /** A step with a uniform contact pressure, and a path with the same gap throughout. */
   Step
   step_at(const double pressure, const double contact_area, const double gap)
   {
@@ -69,7 +69,7 @@ namespace
     return step.validity();
   }
 
-  /** In the units of the scene [length pressure]. */
+  /** The product, in the units of the scene [length pressure]. */
   double
   mean_free_path_times_pressure(const Scene &scene)
   {
@@ -122,8 +122,8 @@ namespace
     expect_in("helium, air, nitrogen", error_of("", {"Fluid/Gas=phlogiston"}));
   }
 
-  // Against vacuum the squared pressure falls linearly, and ∫ dr/√(1−r) = 2: the mean
-  // Knudsen number is twice that at the inlet.
+  // Against a vacuum, the squared pressure falls linearly with the resistance r, and
+  // ∫ dr/√(1−r) = 2: the mean Knudsen number is twice that at the inlet.
   TEST(Validity, KnudsenNumbersAlongAPath)
   {
     const Scene scene =
@@ -142,8 +142,8 @@ namespace
       FAIL() << word;
     };
     expect_check("rarefied", 2 * .19169);
-    // The last of equal gaps: at the outlet there is a vacuum, half a step before it,
-    // behind three quarters of the resistance, a gas.
+    // The last of equal gaps is at the outlet, in a vacuum. The gas is therefore taken
+    // half a step before it, after three quarters of the resistance.
     expect_check("rarefied-throat", .19169 / std::sqrt(.25));
     path.gaps.front() = path.bottleneck_gap = .5e-6;
     expect_check("rarefied-throat", .19169 / .5 / std::sqrt(.75));
@@ -171,14 +171,14 @@ namespace
     const Overrides hard = water + Overrides{"Contact/Hardness=1e9"};
     EXPECT_EQ(verdict(scene_of("", hard), step_at(4.9e7, .1, 1e-6)), "ok");
     EXPECT_EQ(verdict(scene_of("", hard), step_at(5.1e7, .1, 1e-6)), "plastic");
-    // The solid bears the wall's reaction less the attraction.
+    // With adhesion, the solid bears the reaction of the wall less the attraction.
     Step adhesive                                         = step_at(5.1e7, .1, 1e-6);
     adhesive.state.contact->adhesion.emplace().attraction = 2e7;
     EXPECT_EQ(verdict(scene_of("", hard), adhesive), "ok");
     const Overrides yields =
       hard + Overrides{"Contact/Yielding=cut-off", "Load programme/Pressures=1e6"};
     EXPECT_EQ(verdict(scene_of("", yields), step_at(5.1e7, .1, 1e-6)), "ok");
-    // 2γ/g = 1e5 at 1.44 µm.
+    // 2γ/g is the pressure difference, 1e5 Pa, at g = 1.44 µm.
     const Overrides wet = water + Overrides{"Fluid/Surface tension=0.072"};
     EXPECT_EQ(verdict(scene_of("", wet), step_at(2e6, .1, 1.45e-6)), "ok");
     EXPECT_EQ(verdict(scene_of("", wet), step_at(2e6, .1, 1.43e-6)), "capillary");
@@ -247,7 +247,7 @@ namespace
     for (NodeState &state : step.flow->channel.clusters.states)
       state = NodeState::trapped;
     EXPECT_EQ(verdict(scene, step), "trapped-fluid");
-    // The absolute pressure of a gas, whatever the difference of the two reservoirs.
+    // For a gas, its absolute pressure counts, even if both reservoirs have the same.
     const Scene gas =
       scene_of("", pressed + helium + Overrides{"Fluid/Outlet pressure=1e6"});
     expect_in("trapped-fluid", verdict(gas, step));
@@ -255,7 +255,7 @@ namespace
     EXPECT_EQ(verdict(scene, step), "ok");
   }
 
-  // Not by points, of which windows have more, and each rank has those.
+  // It does not count by points: windows have more, and every rank holds those.
   TEST(Validity, FluidThatIsTrappedInWindowsCountsByItsAreaParallel)
   {
     const Scene scene = scene_of("", pressed);
@@ -274,7 +274,7 @@ namespace
     EXPECT_NEAR(check.number, .1, 1e-12);
   }
 
-  // In reduced units neither slopes nor a pressure difference of 1 mean anything.
+  // In reduced units, neither the slope nor a pressure difference of 1 means anything.
   TEST(Validity, ReducedUnits)
   {
     EXPECT_EQ(verdict(scene_of(""), step_at(.1, .1, 1.), 1.), "ok");

@@ -39,7 +39,7 @@ namespace strait::test
     return read_scene(file.path, overrides);
   }
 
-  /** All of the first, then all of the second. */
+  /** Return @p all, followed by @p more. */
   inline Overrides
   operator+(Overrides all, const Overrides &more)
   {
@@ -47,7 +47,8 @@ namespace strait::test
     return all;
   }
 
-  /** The message of the error, without the folder of the file. */
+  /** Return the message with which a scene is refused, without the folder of its file;
+   *  "none" if the scene is accepted. */
   inline std::string
   error_of(const std::string &text, const Overrides &overrides = {})
   {

@@ -50,7 +50,7 @@ namespace strait
 
     TEST(FixedPoint, RelaxesLessWhereTheResidualTurnsRound)
     {
-      // Plain rounds of this map run away.
+      // Plain rounds of this map, x → −3 x, diverge.
       FixedPoint          iteration(plain_product, 4, 1.);
       std::vector<double> x = {1.};
       for (int round = 0; round < 30; ++round)
@@ -63,7 +63,7 @@ namespace strait
 
     TEST(FixedPoint, ComesToAJump)
     {
-      // Closed it fills, open it empties: steps become small however it lies.
+      // Each image lies beyond the jump of the map at 0.5: steps must shrink towards it.
       FixedPoint          iteration(plain_product, 4, 1.);
       std::vector<double> x = {.8};
       for (int round = 0; round < 60; ++round)
@@ -89,7 +89,7 @@ namespace strait
 
     TEST(FixedPoint, KeepsItsDirectionsWhenItMovesOn)
     {
-      // The map of another fixed point: only the plain round to begin with is new.
+      // The same map with its fixed point moved: the directions found so far still hold.
       FixedPoint          iteration(plain_product, 4, 1.);
       std::vector<double> x = {0, 0, 0};
       for (int round = 0; round < 5; ++round)

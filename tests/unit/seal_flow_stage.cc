@@ -17,8 +17,8 @@ namespace strait
       double leak_rate, change;
     };
 
-    /** The leak rate through a gap on 32² points, and what the other interpolation of the
-     *  gap is said to change of it. */
+    /** Return the leak rate through a gap on 32² points, and its relative change with the
+     *  other interpolation according to change_by_interpolation(). */
     Interpolated
     leak(const GapInterpolation                       interpolation,
          const std::function<double(double, double)> &gap_at)
@@ -48,14 +48,14 @@ namespace strait
       leakage.rate = leakage.upper = 1.;
       EXPECT_NEAR(leakage.relative_error(), .9, 1e-15);
       leakage.rate  = 1.;
-      leakage.upper = 1.4; // a gas, of whose rate the bounds are not
+      leakage.upper = 1.4; // a gas: its bounds are for other weights than its rate
       EXPECT_NEAR(leakage.relative_error(), .9, 1e-15);
       leakage.lower = .98;
       EXPECT_NEAR(leakage.relative_error(), .4, 1e-15);
     }
 
-    // Of a throat that is open, and of one that is nearly closed, where a mesh for the
-    // one gap is none for the other.
+    // For an open throat, and for one that is nearly closed, where the mesh for one gap
+    // does not suit the other.
     TEST(FlowStage, ChangeByInterpolationIsThatOfTwoSolutions)
     {
       for (const double narrowest : {.02, 1e-3})
@@ -80,8 +80,8 @@ namespace strait
       EXPECT_NEAR(leak(GapInterpolation::bilinear, plates).change, 0., 1e-9);
     }
 
-    // On the mesh of the finer grid where the throat is wide, and on one of its own where
-    // every second point sees another throat; with nothing open on these, all of it.
+    // The mesh of the finer grid serves for a wide throat; where every second point sees
+    // another throat, the coarser grid gets its own mesh. If nothing is open there: −1.
     TEST(FlowStage, ChangeToEverySecondPointIsThatOfTwoSolutions)
     {
       std::ostringstream  said;

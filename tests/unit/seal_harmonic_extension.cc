@@ -14,7 +14,7 @@ namespace strait
   {
     constexpr double inlet = 3., outlet = 1.;
 
-    /** Open but for a disc and a bar across the box. */
+    /** Open except for a disc and a bar across the box. */
     double
     gap_at(const double x, const double y)
     {
@@ -85,7 +85,7 @@ namespace strait
       EXPECT_GE(min_value(pressure), outlet - 1e-6);
     }
 
-    /** Across the seam, through the edge of the disc, and through the bar. */
+    /** Across the seam, across the edge of the disc, and, nested in that, in the disc. */
     const std::vector<ZoomWindow> windows = {window_tests::window_at(-6, 10, 12, 14),
                                              window_tests::window_at(24, 26, 14, 16),
                                              {1, 2, 8, 9, 20, 18}};
@@ -137,8 +137,7 @@ namespace strait
 
     TEST(HarmonicExtension, IsThatOfTheFineGridInAWindowParallel)
     {
-      // A jump of the pressure along the edge of the disc, which only its window
-      // resolves.
+      // The pressure jumps at a point of the disc's edge, which only its window resolves.
       const auto fluid = [](const double x, const double y) {
         return gap_at(x, y) <= 0 ? 0. : y < .5 ? outlet : 2.;
       };
@@ -157,12 +156,13 @@ namespace strait
                                std::abs(pressure[layout->index_of({ix, iy, 1})] -
                                         line[3 * window.x - 1 + ix]));
         }
-      EXPECT_LT(largest, .05); // at the rim; without a window .3
+      EXPECT_LT(largest, .05); // reached at the rim; 0.3 without a window
     }
 
     TEST(HarmonicExtension, DoesNotJumpWhenAPointOpens)
     {
-      // The same point, just closed and just open, with a pressure out of line.
+      // The same point, once closed and once just open, where the fluid's pressure
+      // differs from the extension around it.
       const SlabLayoutPtr layout = layout_for(32, 32);
       double              means[2];
       for (const int open : {0, 1})

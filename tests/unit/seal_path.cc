@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Paths on a contact whose branches are known.
+// Paths of a contact whose branches are known.
 #include <strait/seal/path.h>
 
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@ namespace
   using namespace strait;
 
   /**
-   * A contact that closes at the load 1 and opens again at 0.6: the mean gap is
-   * 2 − p on the open branch and less by 0.4 on the closed one, with the energies that
-   * belong to it and are equal at the load 0.8; below −0.5 the surfaces part.
+   * A contact that closes at the load 1 and opens again at 0.6. At the load p, the mean
+   * gap is 2 − p on the open branch and 1.6 − p on the closed one. The energies, whose
+   * derivatives these are, agree at p = 0.8. At −0.5 the surfaces part.
    */
   class TwoBranches
   {
@@ -90,7 +90,7 @@ namespace
     EXPECT_LT(jumps[0].after.target - jumps[0].before.target, 1e-3);
     EXPECT_GT(jumps[1].before.target, .6);
     EXPECT_LE(jumps[1].after.target, .6);
-    // At either jump the energies differ by 0.4 × 0.2; within the tolerance.
+    // At either jump the energies differ by 0.4 × 0.2, to 0.4 of the tolerance.
     EXPECT_NEAR(jumps[0].dissipated, .08, 4e-4);
     EXPECT_NEAR(jumps[1].dissipated, .08, 4e-4);
   }
@@ -126,7 +126,7 @@ namespace
     EXPECT_TRUE(path.jumps.empty());
   }
 
-  /** All is in contact, and the energy is known to its last digits only. */
+  /** Full contact, whose energy differs from solve to solve in its last digits only. */
   class FullContact
   {
   public:
@@ -148,7 +148,7 @@ namespace
   };
 
   /** A fluid that holds a channel open up to the load 1, unless a step of more than 0.1
-   *  closes it; what is closed stays so. */
+   *  closes it; a closed channel stays closed. */
   SealState
   held_open(const Control &control, const SealState *from, Aim)
   {
@@ -209,7 +209,7 @@ namespace
 
   TEST(Path, DependsOnTheStateThatItStartsFromAlone)
   {
-    // The same step twice from one state, with another path between.
+    // The same step twice from one state, with another path in between.
     Walk path{1e-3};
     path.to(.9);
     const SealState start = *path.here;
@@ -230,14 +230,14 @@ namespace
     EXPECT_TRUE(holds_under({1., 2., -1e-3}, dry));
     EXPECT_FALSE(holds_under({2., 0., 0.}, dry));
 
-    // Of two slip lengths without a pressure at the inlet the second is another state.
+    // Even without a pressure at the inlet, another slip length makes another state.
     SealState wet = dry;
     wet.fluid.emplace();
     EXPECT_TRUE(holds_under({1., 0., 0.}, wet));
     EXPECT_FALSE(holds_under({1., 0., -1e-3}, wet));
     EXPECT_FALSE(holds_under({1., 2., 0.}, wet));
 
-    // Windows lie around the throats of one slip length.
+    // Windows lie around the throats that belong to one slip length.
     for (const auto &windows :
          {std::vector<ZoomWindow>(), {window_tests::window_at(9, 9, 14, 14)}})
       {

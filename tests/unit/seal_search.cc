@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a search asks of a seal whose critical load is known.
+// How many states a search asks for in a seal whose critical load is known.
 #include <strait/seal/seal_search.h>
 #include <strait/spectral/slab_field.h>
 
@@ -15,7 +15,7 @@ namespace strait
   {
     constexpr double critical_load = 1.436;
 
-    /** A saddle of the gap that closes as a whole. */
+    /** A saddle-shaped gap that the load lowers as a whole; closes at critical_load. */
     SealState
     closing_saddle(const SlabLayoutPtr &layout, const Control &control)
     {
@@ -64,7 +64,7 @@ namespace strait
           EXPECT_LE(found.relative_width(), 1e-3);
         }
       EXPECT_EQ(on_zoomed.n_solves, on_path.n_solves);
-      // Where windows may still come the answers themselves may change.
+      // Without a path, both ends are asked again, as windows may still change answers.
       EXPECT_EQ(found_with(false, true).n_solves, found_with(false, false).n_solves + 2);
     }
   } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Searches for where small steps along a path lose a state.
+// Searches for the value at which small steps along a path lose a state.
 #include <strait/seal/transition_search.h>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace strait
 
     const auto is_open = [](const Probe &probe) { return probe.openness > 0; };
 
-    /** Open where @p rule says so. */
+    /** A search in a seal that is open where rule(value). */
     template <typename Rule>
     TransitionSearch
     searching(const Rule &rule)
@@ -30,8 +30,8 @@ namespace strait
         tolerance);
     }
 
-    /** A state that steps of at most a tenth keep up to @p limit, and that larger ones
-     *  lose beyond 1, on a way up. */
+    /** A state on a path upwards: steps of at most a tenth keep it up to `limit`, larger
+     *  ones lose it beyond 1. */
     class Keeper
     {
     public:
@@ -103,7 +103,8 @@ namespace strait
 
     TEST(SlowApproach, LeavesInSmallStepsDownAndInLargeOnesUp)
     {
-      // From 1 down, steps of more than a tenth close at once what others keep open.
+      // On the way down from 1, a step of more than a tenth closes the seal at 0.9,
+      // smaller ones only at 0.2.
       double           open      = 1.;
       TransitionSearch downwards = searching([&](const double pressure) {
         const bool stays = pressure > (open - pressure > .1 * open ? .9 : .2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Searches for a transition whose place is known.
+// Searches for a known transition.
 #include <strait/base/exceptions.h>
 #include <strait/seal/transition_search.h>
 
@@ -15,10 +15,10 @@ namespace strait
 {
   namespace
   {
-    // Of a throat near to closing; not quite those that the search begins with.
+    // Exponents of a throat that is about to close; not quite those of the search.
     constexpr double of_gap = 1.16, of_pressure = .58;
 
-    /** A constriction that closes at @p critical as the saddle does. */
+    /** A constriction that closes at @p critical by the power laws of the saddle. */
     TransitionSearch::Ask
     constriction(const double critical, int &n_probes)
     {
@@ -61,8 +61,8 @@ namespace strait
       EXPECT_LT(n_near, n_far);
     }
 
-    /** The same on points of which @p per_root lie along a throat of an openness of 1;
-     * one shorter than half a spacing opens as they lie. */
+    /** The same on a grid with @p per_root points along the throat at an openness of one.
+     *  Below half a point, their number no longer follows the root. */
     TransitionSearch::Ask
     constriction_on_points(const double critical, const double per_root, int &n_probes)
     {
@@ -77,7 +77,7 @@ namespace strait
 
     TEST(TransitionSearch, WhatPointsResolveDoesNotHangOnTheWay)
     {
-      // Where 8 √(0.8 ε^1.16) is a half.
+      // The distance ε at which 8 √(0.8 ε^1.16) is a half.
       const double expected = std::pow(std::pow(.5 / 8., 2) / .8, 1. / of_gap);
       const auto   within   = [](const SearchStart first, const double level) {
         int                 n_probes = 0;
@@ -88,12 +88,12 @@ namespace strait
         EXPECT_LE(n_probes, n + 12);
         return far;
       };
-      // From far away, and with all answers next to it.
+      // From far away, and with all answers next to the transition.
       for (const SearchStart first : {SearchStart{1.25}, {1.6}, {1.43605, 3e-5}})
-        EXPECT_NEAR(within(first, 0.) / expected, 1., .1); // the law is not quite this
+        EXPECT_NEAR(within(first, 0.) / expected, 1., .1); // the search assumes 6/5
 
-      // Of a throat that was seen only where its points decide nothing is known, unless
-      // more may be asked.
+      // If the throat was only seen with less than half a point along it, nothing is
+      // known, unless more values may be asked.
       int                 n_asked = 0;
       TransitionSearch    next_to_it(constriction_on_points(1.436, 8., n_asked), 1e-5);
       const EnclosingPair near   = next_to_it.enclose({1.43605, 3e-5}, 0.);
@@ -101,7 +101,7 @@ namespace strait
       EXPECT_TRUE(std::isnan(next_to_it.unresolved_distance(near, 0., false)));
       EXPECT_EQ(n_asked, n_near);
 
-      // Nor of one without points.
+      // Nothing is known either if the number of points is not.
       int                 n_probes = 0;
       TransitionSearch    search(constriction(1.436, n_probes), 1e-5);
       const EnclosingPair found = search.enclose({1.25}, 0.);
@@ -115,7 +115,7 @@ namespace strait
       int              n_probes = 0;
       TransitionSearch search(constriction(1.436, n_probes), 1e-9);
       EXPECT_LE(relative_width(search.enclose({1.25}, 0.)), 1e-9);
-      // A sealed side that begins as steeply as this interpolates badly.
+      // The sealed side begins so steeply that interpolation gains little.
       EXPECT_LE(n_probes, 28);
     }
 
@@ -127,7 +127,7 @@ namespace strait
           TransitionSearch search(
             [&](const double load) {
               ++n_probes;
-              // The same slope on both sides.
+              // Linear within a spacing of closing, with the same slope on both sides.
               constexpr double spacing = 1e-2;
               const double     open    = 1. - load / 1.436;
               const double     power   = open > 0 ? of_gap : of_pressure;
@@ -185,9 +185,8 @@ namespace strait
       EXPECT_EQ(n_probes, second);
     }
 
-    /** The same, where all that was asked before the resolution grew was judged with a
-     *  critical load of @p coarse. It grows with the answer at the end of a bracket that
-     *  is narrower than @p near. */
+    /** The same on points that become finer: the critical load is `coarse` until a load
+     *  is asked for within a relative `near` of an earlier one, then it is `fine`. */
     class Growing
     {
     public:
@@ -219,8 +218,8 @@ namespace strait
     TEST(TransitionSearch, ForgetsAnswersThatAreContradicted)
     {
       const double tolerance = 1e-6;
-      // The threshold that the finer points have lies to either side, far beyond what
-      // the bracket of the coarser ones leaves room for.
+      // The critical load on the finer points lies on either side of the bracket on the
+      // coarser ones, and far outside of it.
       for (const double fine : {1.41, 1.436 - 1e-5, 1.436 + 1e-5, 1.45})
         {
           Growing             contact(1.436, fine, 2 * tolerance);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Laws of trapped fluid, and what becomes of regions that split, meet or find a
+// Laws of trapped fluid, and what becomes of regions that split, merge or reach a
 // reservoir.
 #include <strait/base/collective.h>
 #include <strait/seal/regions_in_gap.h>
@@ -84,7 +84,7 @@ namespace strait
       return fluid;
     }
 
-    /** What is left of @p before in the gap @p rows, under @p pressures. */
+    /** Settle the trapped fluid @p before in the gap @p rows, at @p pressures. */
     RegionsInGap::Settled
     settle(const TrappedFluid             &before,
            const std::vector<std::string> &rows,
@@ -127,7 +127,7 @@ namespace strait
       EXPECT_DOUBLE_EQ(settled.fluid.area, 9. / 48);
       EXPECT_DOUBLE_EQ(settled.fluid.guessed_area, 9. / 48);
       EXPECT_DOUBLE_EQ(settled.fluid.pressure, (6 * .3 + 3 * .6) / 9);
-      // A slit of three points: A = 3, S = 8.
+      // A slit of three points has an area A = 3 and a perimeter S = 8: 2.5 A²/S.
       EXPECT_DOUBLE_EQ(settled.fluid.regions[1].compliance, 2.5 * 9. / 8);
     }
 
@@ -142,7 +142,7 @@ namespace strait
           const auto one = settle(two, together, {.3, .6}, parameters);
           ASSERT_EQ(one.fluid.regions.size(), 1U);
           EXPECT_TRUE(one.has_changed);
-          // By volume, or by pressure times volume.
+          // The mass is the volume or, for a gas, pressure times volume.
           const double mass = name == TrappedFluidLaw::gas ? 6 * .3 + 4 * .6 : 10.;
           const TrappedRegion &region = one.fluid.regions[0];
           EXPECT_NEAR(volume_at(parameters, region, 1.), mass, 1e-12);
@@ -186,7 +186,7 @@ namespace strait
       const auto none = settle(two, drained, {.3, .6}, parameters);
       EXPECT_TRUE(none.has_changed);
       EXPECT_TRUE(none.fluid.regions.empty());
-      // On the way to that state they are still themselves.
+      // On the way to that state, both regions still exist.
       const SlabField    gap      = draw(drained);
       const Clusters     clusters = find_clusters(gap, FlowDirection::x, true);
       const RegionsInGap regions(two, gap, clusters);

@@ -19,7 +19,7 @@ TEST(UnsettledRegions, AreThoseThatComeAndGo)
   for (int round = 0; round < 3; ++round)
     {
       regions.note(trap);
-      // Once may happen on the way.
+      // To be trapped once does not count: it may happen on the way to a state.
       for (std::size_t k = 0; k < trap.size(); ++k)
         {
           const bool comes_and_goes = k == 1 || k == 2;
@@ -29,6 +29,6 @@ TEST(UnsettledRegions, AreThoseThatComeAndGo)
         }
       regions.note(wet);
       for (std::size_t k = 0; k < wet.size(); ++k)
-        EXPECT_FALSE(regions.state_before(k)); // wet, or a contact
+        EXPECT_FALSE(regions.state_before(k)); // not trapped now
     }
 }

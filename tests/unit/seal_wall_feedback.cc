@@ -13,8 +13,8 @@ namespace strait
 {
   namespace
   {
-    /** A seal whose fluid has the same pressure everywhere: @p next follows from the
-     *  assumed one, and under that the channel is open where @p open says so. */
+    /** A seal whose fluid has the same pressure p everywhere: next(p) follows from the
+     *  assumed p, and the channel is open if open(p). */
     class UniformSeal
     {
     public:
@@ -85,7 +85,7 @@ namespace strait
 
     TEST(WallFeedback, LeavesAStateThatRelaxationLeadsAwayFrom)
     {
-      // Two rounds near 0.3 tell where that is, and that it repels.
+      // Two rounds near the fixed point 0.3 reveal where it is, and that it repels.
       UniformSeal seal(
         [](const double p) { return p < .5 ? .3 + 1.5 * (p - .3) : .6 + .2 * (p - .6); },
         always);
@@ -95,7 +95,7 @@ namespace strait
 
     TEST(WallFeedback, TheLeakRateMustHaveSettledToo)
     {
-      // Even where the pressure is right at once, one round says nothing of it.
+      // Even if the pressure is right at once, one round says nothing of the leak rate.
       UniformSeal seal([](const double) { return .3; }, always);
       EXPECT_EQ(seal.solve(.3, {feedback_tolerance, feedback_tolerance}).iterations, 2);
       EXPECT_EQ(seal.solve(.3, {feedback_tolerance, 1.}).iterations, 1);
@@ -134,11 +134,11 @@ namespace strait
       EXPECT_GT(roughly.change, .01);
       UniformSeal same(next, open, plain);
       EXPECT_LE(same.solve(.2, exact).change, feedback_tolerance);
-      // What stays closed has to be as exact as ever.
+      // A channel that stays closed has to be as accurate as ever.
       UniformSeal closed(
         next, [](const double) { return false; }, plain);
       EXPECT_LE(closed.solve(.2, goal).change, feedback_tolerance);
-      // Small steps change little.
+      // The tolerance is in units of the relaxation, because small steps change little.
       plain.relaxation = .1;
       UniformSeal damped(next, open, plain);
       EXPECT_LE(damped.solve(.45, goal).leak_change, .01);
@@ -146,7 +146,7 @@ namespace strait
 
     TEST(WallFeedback, SmallStepsKeepAVerdictThatLargeOnesLose)
     {
-      // Below 0.2 the channel is closed and stays so; the first change leads there.
+      // Below 0.2 the channel is closed and stays closed; a full first step leads there.
       const auto open = [](const double p) { return p > .2; };
       const auto next = [open](const double p) {
         return open(p) ? .5 - 3. * (p - .5) : .1;
@@ -169,20 +169,20 @@ namespace strait
 
     TEST(WallFeedback, OpensAndClosesWhereNeitherFluidKeepsItsChannel)
     {
-      // A verdict is all that can be had: it leaks, but how much no state says.
+      // Only a verdict can be had: the seal leaks, but no state tells how much.
       constexpr double any  = std::numeric_limits<double>::infinity();
       const auto       open = [](const double p) { return p > .4; };
       UniformSeal      seal([open](const double p) { return open(p) ? .1 : .8; }, open);
       EXPECT_TRUE(seal.solve(.5, {feedback_tolerance, any}).converged);
       EXPECT_TRUE(open(seal.pressure));
-      EXPECT_NEAR(seal.pressure, .4, 1e-3); // where the steps have become as small
+      EXPECT_NEAR(seal.pressure, .4, 1e-3); // where the steps have become small
       EXPECT_FALSE(seal.solve(.5, {feedback_tolerance, .1}).converged);
     }
 
     TEST(WallFeedback, ACircleThroughAnOpenChannelLeaks)
     {
-      // The channel opens long after the pressure has begun to rise and closes long after
-      // it has begun to fall: nowhere do both fluids meet.
+      // The closed channel fills and opens above 0.6 only, the open one drains and closes
+      // below 0.3 only: rounds go in a cycle without any state in which the two agree.
       bool       is_open = false;
       const auto open    = [&is_open](const double p) {
         is_open = p > (is_open ? .3 : .6);
@@ -199,8 +199,8 @@ namespace strait
 
     TEST(WallFeedback, TurnsAwayFromAJumpThatIsInNobodysWay)
     {
-      // Far from the jump the rounds cross it again and again, but near it the fluid of
-      // the open channel opens it further, to a state that agrees with itself.
+      // Far from the jump at 0.4, rounds cross it again and again. Near it, the fluid of
+      // the open channel opens it further, to a fixed point at 0.55.
       const auto open = [](const double p) { return p > .4; };
       const auto next = [open](const double p) {
         return open(p) ? (p > .7 ? .35 : .55 + .1 * (p - .55)) : .9;
@@ -214,7 +214,7 @@ namespace strait
 
     TEST(WallFeedback, FindsTheGapThatStaysAjar)
     {
-      // Closed it fills and opens, open it empties and closes: the mixture is a state.
+      // A closed gap fills and opens, an open one drains and closes: a mixture agrees.
       const double         coarse = 1e-3;
       UniformSeal          seal([](const double p) { return p < .5 ? .9 : .2; }, always);
       const FeedbackResult result = seal.solve(.8, {coarse, coarse});
@@ -232,7 +232,7 @@ namespace strait
       const FeedbackResult result = seal.solve(.8, {coarse, coarse});
       EXPECT_TRUE(result.converged);
       EXPECT_NEAR(result.leak_change, .25, 1e-12);
-      // A leak rate that still settles has no other side.
+      // A leak rate that still drifts in one direction has not settled.
       UniformSeal creeping([](const double p) { return p + 5e-4; }, always);
       creeping.leak = [](const double p) { return std::exp(40. * p); };
       EXPECT_FALSE(creeping.solve(.1, {coarse, coarse}).converged);
@@ -248,7 +248,7 @@ namespace strait
 
     TEST(WallFeedback, GuessesNoMoreThanTheLoad)
     {
-      // Two rounds that differ little make a combination leap; the plain ones are below.
+      // A combination of two rounds that differ little overshoots; plain rounds do not.
       const auto next = [](const double p) {
         return p < .5 ? p + .1 - .09 * p : .62 + .1 * (p - .62);
       };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What becomes of windows where throats move, grow or are resolved.
+// How windows change when throats move, grow or become resolved.
 #include <algorithm>
 
 #include "zoom_tools.h"
@@ -11,18 +11,18 @@ namespace
   TEST(ZoomPlacement, FollowsAThroatThatComesNearARim)
   {
     const Windows windows = placed({throat(100, 60)});
-    // Resolved, but its length reaches beyond.
+    // The throat is resolved, but its length reaches beyond the rim.
     const Windows moved = placed({throat(138, 72, 0, 14.)}, windows);
     ASSERT_EQ(moved.size(), 1U);
     EXPECT_TRUE(covers(moved[0], 122, 60));
     EXPECT_TRUE(covers(moved[0], 140, 60));
     EXPECT_TRUE(covers(moved[0], 100, 60));
-    // In the middle it stays, as it does where it has points enough on the parent.
+    // The window stays if the throat is in its middle, or resolved on the parent.
     EXPECT_TRUE(placed({throat(73, 72, 0, 14.)}, windows) == windows);
     EXPECT_TRUE(placed({throat(138, 72, 0, 40.)}, windows) == windows);
   }
 
-  // Next to the rim, where no finer window fits, or that of a parent.
+  // Next to a rim, no finer window fits: the coarsest window with a rim there is widened.
   TEST(ZoomPlacement, MakesRoomForFinerWindows)
   {
     const Windows windows = placed({throat(100, 60)});
@@ -42,7 +42,7 @@ namespace
     EXPECT_TRUE(covers(more[0], 45, 46));
   }
 
-  // Windows that are joined do not change what the others are numbered by.
+  // Throats name windows by numbers, which must hold while windows are joined.
   TEST(ZoomPlacement, FindsThroatsAfterWindowsWereJoined)
   {
     const Windows before = {{-1, 1, 20, 20, 48, 48}, {-1, 1, 160, 160, 48, 48}};
@@ -56,7 +56,7 @@ namespace
     EXPECT_NEAR(middle[1], 184. / 256, 1. / 256);
   }
 
-  // One that its parent's rim pushes aside comes to lie on another that it did not touch.
+  // A window that is moved off its parent's rim may come to lie on another one.
   TEST(ZoomPlacement, JoinsWhatTheRimOfTheParentPushesTogether)
   {
     const Windows parent  = placed({throat(100, 60)});
@@ -71,7 +71,7 @@ namespace
     EXPECT_TRUE(is_covered(95, 120));
   }
 
-  // A throat that moves round the box comes home.
+  // The throat moves around the periodic box three times.
   TEST(ZoomPlacement, StaysWithinABoxThatIsPeriodic)
   {
     Windows windows;
@@ -90,7 +90,7 @@ namespace
       }
   }
 
-  // What lies in one that was pushed aside stays where it was.
+  // A window inside one that is moved stays where it was.
   TEST(ZoomPlacement, ChildrenStayWhereTheirParentsAreMoved)
   {
     const Windows       two      = {{-1, 1, 60, 20, 80, 80},
@@ -98,8 +98,8 @@ namespace
                                     {1, 3, 8, 80, 80, 80}};
     const SlabLayoutPtr before   = box_with(two);
     const auto          expected = before->position(2, 0, 0);
-    // Near the left rim of the second level, resolved; the window around it would reach
-    // beyond the first level's rim and is joined with that which is there.
+    // A resolved throat near the left rim of the second level. A new window around it
+    // would reach beyond the rim of the first level, and is joined with the existing one.
     const Windows windows = placed({throat(10, 200, 1, 14.)}, two);
     ASSERT_EQ(windows.size(), 3U);
     expect_sound(windows);
@@ -119,14 +119,14 @@ namespace
     const auto needed = [](const std::vector<ThroatOnPath> &throats) {
       return needed_windows(*box_with(three_levels), throats, zoom);
     };
-    // The other throat's window is gone, and parents are numbered anew.
+    // The window of the other throat is dropped, and parents are renumbered.
     const Windows deepest = needed({throat(120, 120, 3, 15.)});
     ASSERT_EQ(deepest.size(), 3U);
     EXPECT_TRUE(deepest[0] == three_levels[1]);
     EXPECT_EQ(deepest[1].parent, 0);
     EXPECT_EQ(deepest[2].parent, 1);
     expect_sound(deepest);
-    // One level more than needed stays, two do not.
+    // One level more than needed is kept, two are not.
     EXPECT_EQ(needed({throat(120, 120, 3, 9 * 11.9, 1.)}).size(), 3U);
     EXPECT_EQ(needed({throat(120, 120, 3, 9 * 12.1, 1.)}).size(), 2U);
     EXPECT_EQ(needed({throat(120, 120, 3, 27 * 12.1, 1.)}).size(), 1U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where windows are opened around throats that are placed by hand.
+// Where windows are placed around given throats.
 #include "zoom_tools.h"
 
 namespace
@@ -16,10 +16,10 @@ namespace
   TEST(ZoomPlacement, OpensNoneWhereNothingIsLacking)
   {
     EXPECT_TRUE(placed({throat(100, 60, -1, 12.)}).empty());
-    // What less of the pressure drops at needs fewer: half of them for a quarter.
+    // A throat with a quarter of the pressure drop needs half of the points.
     EXPECT_TRUE(placed({throat(100, 60, -1, 6.1, .25)}).empty());
     EXPECT_EQ(placed({throat(100, 60, -1, 5.9, .25)}).size(), 1U);
-    // Those that are there stay.
+    // Existing windows stay.
     const Windows some = {{-1, 1, 60, 20, 80, 80}};
     EXPECT_TRUE(placed({throat(100, 150, -1, 12.)}, some) == some);
     EXPECT_TRUE(placed({}, some) == some);
@@ -42,7 +42,7 @@ namespace
     EXPECT_GE(layout->seam(0, 1), 0);
     expect_sound(windows);
 
-    // A throat on the other side of the seam is within it, and gets a window of its own.
+    // A throat across the seam lies in this window, and gets one of its own.
     const auto fine = layout->finer({250, 5});
     ASSERT_TRUE(fine.has_value());
     const Windows nested = placed({throat(fine->ix, fine->iy, 0)}, windows);
@@ -57,7 +57,7 @@ namespace
     const Windows joined = placed({throat(100, 60), throat(140, 70)});
     ASSERT_EQ(joined.size(), 1U);
     EXPECT_TRUE(joined[0] == (ZoomWindow{-1, 1, 76, 36, 88, 58}));
-    // With one that was there, across the seam.
+    // A new window is joined with an existing one across the seam.
     const Windows across = placed({throat(10, 100)}, placed({throat(240, 100)}));
     ASSERT_EQ(across.size(), 1U);
     EXPECT_EQ(across[0].nx, 74);
@@ -69,7 +69,7 @@ namespace
     expect_sound(apart);
   }
 
-  // In a box that is not much larger than a window that was joined.
+  // The box is not much larger than a window that was joined.
   TEST(ZoomPlacement, SeesNeighboursOnTheFarSideOfAWideOne)
   {
     const Windows near    = {{-1, 1, 60, 60, 100, 80}};
@@ -77,7 +77,7 @@ namespace
     expect_sound(windows);
     const SlabLayoutPtr layout = box_with(windows);
     EXPECT_TRUE(layout->finer({176, 100}).has_value());
-    // What lies far from the begin of a wide parent finds it.
+    // A throat far from the first column of a wide window is found in it.
     const Windows wide   = {{-1, 1, 10, 60, 150, 80}};
     const Windows nested = placed({throat(400, 120, 0)}, wide);
     expect_sound(nested);
@@ -95,14 +95,14 @@ namespace
     EXPECT_TRUE(covers(windows[0], 110, 40));
     EXPECT_FALSE(covers(windows[0], 145, 40));
     EXPECT_LE(windows[0].nx, 144);
-    // But it takes the place of one in which no throat lies any more.
+    // But a new window replaces one in which no throat lies any more.
     const Windows next = placed({throat(145, 40)}, windows);
     ASSERT_EQ(next.size(), 1U);
     EXPECT_TRUE(covers(next[0], 145, 40));
     EXPECT_EQ(next[0].nx, 48);
   }
 
-  // In a small box one window may go all the way round, and no throat is forgotten.
+  // In a small box, one window may go all the way around; no throat is forgotten.
   TEST(ZoomPlacement, GoesAllRoundASmallBox)
   {
     const int     n       = 128;
@@ -112,7 +112,7 @@ namespace
     EXPECT_TRUE(covers(windows[0], 60, 110, n));
     EXPECT_TRUE(covers(windows[0], 60, 20, n));
     EXPECT_LE(windows[0].ny, n - 2);
-    // Wherever in it a throat is, it gets a window, if need be once the rim is elsewhere.
+    // Any throat in the window gets a finer one; near the rim, once that has moved.
     const int n_rows = windows[0].n_rows();
     for (const int row : {1, 5, 40, 200, n_rows - 40, n_rows - 6, n_rows - 2})
       {

@@ -95,7 +95,7 @@ namespace
     EXPECT_NEAR(mean(out), 0., 1e-14);
   }
 
-  // In place, as a step within the limits of the pressure is transformed, and apart.
+  // In place, as the contact solver transforms its steps, and into another array.
   TEST_P(FourierTransformOn, IsTheSameToSevenDigitsInSinglePrecision)
   {
     FourierTransform             transform(layout);
@@ -179,12 +179,12 @@ namespace
     EXPECT_LT(maximum(MPI_COMM_WORLD, error), 1e-14);
   }
 
-  /** On larger grids, for which FFTW has the choice of many plans. */
+  /** On larger grids as well, for which FFTW can choose from many plans. */
   class BitsOfFourierTransformOn : public FourierTransformOn
   {
   };
 
-  /** The field with its short waves damped, by the ranks of its layout; on rank 0. */
+  /** Damp the short waves on the ranks of the layout; rank 0 gets the whole field. */
   std::vector<double>
   smoothed(const SlabField &in)
   {

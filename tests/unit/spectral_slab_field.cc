@@ -10,7 +10,7 @@ namespace
 {
   using namespace strait;
 
-  /** Each point's own global number. */
+  /** A field whose value at each point is the global number of the point. */
   SlabField
   numbered(const SlabLayoutPtr &layout)
   {
@@ -52,7 +52,7 @@ namespace
     const int           nx = 3, ny = 7;
     const SlabLayoutPtr layout = make_layout({nx, ny, 1., 1.}, MPI_COMM_WORLD);
     const SlabField     field  = numbered(layout);
-    // Every rank asks for other rows, some of them twice, rank 2 for none.
+    // Ranks ask for different rows, for some of them twice, and rank 2 for none.
     std::vector<int> rows = {6, -1, 0, 7, 13, 3, 3, -8};
     if (layout->rank() == 1)
       rows = {4};

@@ -13,7 +13,7 @@
 
 namespace strait::test
 {
-  /** A folder of the test's own, the same on all ranks. */
+  /** A checkpoint in a folder of its own, the same on all ranks, and what it stores. */
   class CheckpointFile : public testing::Test
   {
   protected:
@@ -23,7 +23,7 @@ namespace strait::test
       path = folder.path() + "/checkpoint";
     }
 
-    /** Items of all kinds, in either direction. More points than one message takes. */
+    /** Write or read items of all kinds, and more points than one message takes. */
     void
     transfer(StateArchive &archive)
     {
@@ -109,7 +109,7 @@ TEST_F(CheckpointFile, GivesBackWhatWasPut)
   EXPECT_EQ(single, single_then);
   EXPECT_TRUE(absent.empty());
   EXPECT_TRUE(nothing.empty());
-  // There is no more.
+  // Nothing is left to read.
   EXPECT_THROW(reader.value(number), InputError);
 }
 
@@ -155,7 +155,7 @@ TEST_F(CheckpointFile, SpoiltFilesAreRefused)
     }
 }
 
-// The values in windows are the same on all ranks; those at grid points are dealt out.
+// All ranks hold the values in windows, but only their part of those at grid points.
 TEST_F(CheckpointFile, KeepsTheWindowsOfAField)
 {
   layout                                = make_layout({48, 31, 1., 1.}, MPI_COMM_WORLD);
@@ -196,7 +196,7 @@ TEST_F(CheckpointFile, KeepsTheWindowsOfAField)
   EXPECT_EQ(single, single_then);
 }
 
-// Warnings, of which only rank 0 may know.
+// Warnings, for example, may be known to rank 0 only.
 TEST_F(CheckpointFile, ListsAreThoseOfRankZero)
 {
   if (layout->rank() == 0)

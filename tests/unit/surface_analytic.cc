@@ -66,7 +66,7 @@ namespace
 
   TEST(AnalyticSurface, PeaksStandOnATriangularLattice)
   {
-    // The cell of 1 × √3 spacings has a peak at its corner and its centre.
+    // The cell of 1 × √3 spacings has a peak at its corner and one at its centre.
     const double side = 0.7;
     for (const bool turned : {false, true})
       {
@@ -88,7 +88,7 @@ namespace
         const auto honeycomb = whole_surface(parameters, nx, ny);
         for (std::size_t i = 0; i < peaks.size(); ++i)
           ASSERT_NEAR(honeycomb[i], 4.5 * 0.4 - peaks[i], 1e-13);
-        // Two peaks of the honeycomb for each of the triangular lattice.
+        // The honeycomb has two peaks for each one of the triangular lattice.
         EXPECT_EQ(std::count_if(honeycomb.begin(),
                                 honeycomb.end(),
                                 [](const double h) { return h > 4.49 * 0.4; }),
@@ -152,11 +152,11 @@ namespace
     EXPECT_TRUE(mentions(warnings("1 + x").front(), "does not repeat along x"));
     EXPECT_TRUE(mentions(warnings("1 + x").front(), "by up to 2 from"));
     EXPECT_EQ(warnings("x + y").size(), 2U);
-    // Half a period in the box before it is rotated.
+    // Before the rotation, the box is as long as half a period of this wave.
     EXPECT_TRUE(warnings("cos(pi*x)").empty());
     EXPECT_EQ(warnings("cos(pi*x)", true).size(), 1U);
     EXPECT_TRUE(warnings("sin(2*pi*x/lx)", true).empty());
-    // Seven waves look like one on eight points.
+    // On eight points, seven waves look like one.
     for (const char *text : {"cos(7*pi*x)", "sin(8*pi*x)", "abs(x - 1.1) < 0.1 ? 1 : 0"})
       {
         ASSERT_EQ(warnings(text).size(), 1U) << text;

@@ -77,7 +77,7 @@ namespace
       mentions(complaint(surface_from(file), 2, 2), "Surface/Size = 0.002, 3e-05"));
     EXPECT_TRUE(mentions(complaint(surface_from(file, 2.003e-3, 3e-5), 2, 2),
                          "Surface/Size = 0.002, 3e-05"));
-    // What 1 in the file means, whatever it states.
+    // Lateral unit says what 1 in the file means, whatever unit the file states.
     auto in_cm             = surface_from(file);
     in_cm.map.lateral_unit = "cm";
     EXPECT_TRUE(mentions(complaint(in_cm, 2, 2), "Surface/Size = 0.02, 0.0003"));
@@ -86,7 +86,7 @@ namespace
     EXPECT_TRUE(mentions(complaint(rotated, 2, 2), "Surface/Size = 3e-05, 0.002"));
   }
 
-  // What is filled in depends on the sides of a point, wherever these are stated.
+  // Filling depends on the ratio of the spacings, whether the map or the scene states it.
   TEST(FileSurface, SidesOfTheSceneWhereTheMapStatesNone)
   {
     const std::string text =
@@ -171,7 +171,7 @@ namespace
       second(matrix("10 20 30\n40 50 60\n"));
     auto parameters            = surface_from(first);
     parameters.map.second_file = second.path;
-    // The second one is turned over: x becomes −x.
+    // The second body is turned over: x becomes −x.
     EXPECT_EQ(whole_surface(parameters, 3, 2),
               (std::vector<double>{11, 32, 23, 44, 65, 56}));
     const TemporaryFile other(matrix("1 2\n3 4\n"));

@@ -7,15 +7,15 @@
 
 #include "surface_test_tools.h"
 
-// What the library of NetCDF makes of such files, and writes itself, is tested where
-// strait_import is, which uses another implementation.
+// How the NetCDF library reads such files, and what it writes, is tested together with
+// strait_import, which uses another implementation.
 
 namespace
 {
   using namespace strait;
   using namespace strait::test;
 
-  /** The content of a map of 3 × 2 points, the heights 1 to 6, on a box of 30 × 40. */
+  /** The file of a map of 3 × 2 points with the heights 1 to 6 on a box of 30 × 40. */
   std::string
   canonical_map(const std::string &unit = "nm")
   {
@@ -35,7 +35,7 @@ namespace
     return broadcast(MPI_COMM_WORLD, content);
   }
 
-  /** With each @p before, which must occur, replaced by @p after of the same length. */
+  /** Replace each @p before, which must occur, by @p after, which has the same length. */
   std::string
   replaced(std::string content, const std::string &before, const std::string &after)
   {
@@ -65,7 +65,7 @@ namespace
 
   TEST(NetcdfReader, PeriodicByAWord)
   {
-    // The attribute's value as an integer, 1, or as four letters.
+    // The attribute with its type and value: the integer 1, or a word of four letters.
     const auto periodic =
       [](const char type, const char count, const std::string &value) {
         return std::string("periodic\0\0\0", 11) + type + std::string(3, '\0') + count +
@@ -82,7 +82,7 @@ namespace
 
   TEST(NetcdfReader, UnitOfAllLengths)
   {
-    // The attribute of a name that is eight bytes longer, with as much shorter a text.
+    // The attribute gets a name eight bytes longer, and a text eight bytes shorter.
     const auto attribute = [](const std::string &length, const std::string &name) {
       return std::string("\0\0\0", 3) + length + name + std::string("\0\0\0\2\0\0\0", 7);
     };
@@ -102,16 +102,17 @@ namespace
 
   TEST(NetcdfReader, OtherNames)
   {
-    // Without a dimension called x the last one runs along x, and nothing states a size.
+    // Without a dimension called x, the last one runs along x, by its own coordinates.
     const std::string name(std::string("\0\0\0\1x\0\0\0", 8));
     const auto        map =
       read_map(replaced(canonical_map(), name, std::string("\0\0\0\1r\0\0\0", 8)));
     EXPECT_EQ(map.nx, 2);
     EXPECT_EQ(map.values[1], 4.);
+    EXPECT_DOUBLE_EQ(map.size.value().at(0), 30.);
     EXPECT_TRUE(
       mentions(complaint_of_map(replaced(canonical_map(), "heights", "voltage")),
                "no two-dimensional variable 'heights': type \""));
-    // Coordinates with a unit say what their steps are.
+    // Without a length, the steps of coordinates that have a unit give the size.
     const std::string without = replaced(canonical_map(), "length", "widths");
     EXPECT_DOUBLE_EQ(read_map(without).size.value().at(0), 30.);
     EXPECT_DOUBLE_EQ(read_map(without).size.value().at(1), 40.);
@@ -121,9 +122,9 @@ namespace
 
   TEST(NetcdfReader, CoordinatesAndLengthAgree)
   {
-    // The last two of the coordinates along x, which are 0, 10 and 20 for a length of 30;
-    // the last one also of those along y, 0 and 20, which are for a length of 40 in each
-    // case.
+    // Replace the last two coordinates along x, which are 0, 10 and 20 for a length
+    // of 30. The 20 of those along y, 0 and 20 for a length of 40, is replaced as well,
+    // which does no harm.
     const auto with_x = [](const std::string &second, const std::string &third) {
       const std::string rest(6, '\0');
       return replaced(replaced(canonical_map(), "\x40\x34" + rest, third + rest),
@@ -136,7 +137,7 @@ namespace
       EXPECT_TRUE(
         mentions(complaint_of_map(with_x(second, third)),
                  "has coordinates 'x' that do not rise in steps of its length"));
-    // Of a map that begins and ends with a point, as long as three of its two steps.
+    // Coordinates that span the length, 0 to 30, in two steps: the period is three.
     EXPECT_DOUBLE_EQ(read_map(with_x("\x40\x2e", "\x40\x3e")).size->at(0), 45.);
     EXPECT_EQ(read_map(with_x(zero, zero)).size->at(0), 30.);
     for (const std::string &second : {std::string("\x40\x2e"), zero}) // 15, 0
@@ -149,7 +150,7 @@ namespace
     const std::string whole = canonical_map();
     for (std::size_t length = 1; length < whole.size(); ++length)
       EXPECT_FALSE(complaint_of_map(whole.substr(0, length)).empty()) << length;
-    // The extents that a damaged header claims, 2^30 in place of 3.
+    // A damaged header claims more than 2^30 points along x instead of 3, and then 16387.
     std::string       claims = whole;
     const std::size_t at     = claims.find(std::string("\0\0\0\1x\0\0\0", 8)) + 8;
     claims[at]               = '\x40';

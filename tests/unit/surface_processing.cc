@@ -74,7 +74,7 @@ namespace
                              [](MapParameters &p) { p.lateral_unit = "scene"; })
                        .size->at(0),
                      2.);
-    // Nothing that the unit could be of, unless it is of another map.
+    // A lateral unit is refused for a map without a size, unless there is a second map.
     const auto sizeless = [&](const std::string &second_file) {
       HeightMap     map = sampled(2, 2, [](double, double) { return 3.; });
       MapParameters parameters;
@@ -180,7 +180,7 @@ namespace
     make_periodic(periodic, parameters, remarks);
     EXPECT_EQ(remarks.warnings.size(), 1U);
 
-    // The step at one of the seams counts, however short that seam is.
+    // A step at either seam counts, however short that seam is.
     HeightMap wall =
       sampled(256, 8, [](double x, double y) { return .1 * x + std::cos(2 * M_PI * y); });
     make_periodic(wall, parameters, remarks);
@@ -202,10 +202,9 @@ namespace
     parameters.make_periodic = MakePeriodic::window;
     HeightMap windowed       = sampled(40, 40, slope);
     make_periodic(windowed, parameters, remarks);
-    const double middle = 0.5 * 1.5 - 0.5 / 40 * 3; // mean of the samples
+    // At the edge, the mean of all samples is left.
     EXPECT_NEAR(windowed.values[20 * 40], 2 * 0.75 - 1.5 / 40, 0.05);
     EXPECT_EQ(windowed.values[20 * 40 + 20], slope(0.5, 0.5));
-    EXPECT_LT(middle, 1.5);
     ASSERT_EQ(remarks.warnings.size(), 3U);
     EXPECT_TRUE(mentions(remarks.warnings[2], "rms height"));
   }
@@ -230,7 +229,7 @@ namespace
 
   TEST(MapResample, PassesThroughThePointsOfAnEvenGrid)
   {
-    // Alternating heights: the wave at the end of the spectrum.
+    // Alternating heights are the shortest wave that the grid can carry.
     const auto map =
       sampled(4, 6, [](double x, double y) { return std::lround(4 * x + 6 * y) % 2; });
     const auto fine = fourier_resample(map.values, {4, 6, 1., 1.}, {8, 12, 1., 1.});

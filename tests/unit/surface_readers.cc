@@ -94,7 +94,7 @@ namespace
     EXPECT_TRUE(mentions(complaint_of_map(whole.substr(0, 9)), "within its header"));
     EXPECT_TRUE(
       mentions(complaint_of_map(npy(dictionary("<f8", "(2, 3)"), data, 7)), "version"));
-    // Where a regular expression would run out of stack.
+    // On this header, a regular expression would run out of stack.
     EXPECT_TRUE(
       mentions(complaint_of_map(npy("{'descr': '" + std::string(400000, '<'), data, 2)),
                "too long a header"));
@@ -187,8 +187,8 @@ namespace
     EXPECT_TRUE(mentions(complaint("#Height:2 mm"), "'Height'"));
     EXPECT_TRUE(mentions(complaint("# Value units: um"), "'Value units'"));
     EXPECT_TRUE(mentions(complaint("# Channel: error"), "'Channel'"));
-    // What is said again in the same words contradicts nothing, nor does a mark of the
-    // encoding.
+    // Neither a line that is repeated word for word nor a byte order mark contradicts
+    // anything.
     EXPECT_EQ((*read_map("\xef\xbb\xbf" + header + "1 2\n3 4\n").size)[0], 3.);
     EXPECT_EQ((*read_map(header + header + "1 2\n3 4\n").size)[0], 3.);
   }

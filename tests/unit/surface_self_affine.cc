@@ -15,7 +15,7 @@ namespace
   using test::mentions;
   using test::whole_surface;
 
-  /** A surface that 64² points resolve, with 16 waves across the shorter side. */
+  /** A surface that 64² points resolve on the unit square, with up to 16 waves a side. */
   SurfaceParameters
   example(const Amplitudes amplitudes = Amplitudes::gaussian)
   {
@@ -49,7 +49,7 @@ namespace
 
   TEST(SelfAffineSurface, IsTheDirectSumOfItsWaves)
   {
-    // Summing every wave on every rank knows neither transform nor slabs.
+    // The sum over all waves, on every rank, uses neither the transform nor slabs.
     SurfaceParameters parameters = example();
     parameters.size              = {{1., 0.6}};
     const SelfAffineSurface surface(parameters, MPI_COMM_WORLD);
@@ -70,7 +70,7 @@ namespace
 
   TEST(SelfAffineSurface, RealisationIsFrozen)
   {
-    // A change of these numbers changes everybody's surfaces.
+    // If these numbers change, so do the surfaces of all users.
     const SelfAffineSurface surface(example(), MPI_COMM_WORLD);
     const auto              mode = surface.mode(3, -2);
     EXPECT_NEAR(mode.real(), 2.307956376154888e-04, 1e-15);
@@ -101,7 +101,7 @@ namespace
         product += one[i] * other[i];
         square += one[i] * one[i];
       }
-    // A chance correlation is about 1/√(number of waves below the roll-off).
+    // By chance, the correlation is about 1/√(number of waves below the roll-off).
     EXPECT_LT(std::abs(product), 0.5 * square);
     EXPECT_GT(square, 0.);
   }
@@ -153,7 +153,7 @@ namespace
 
   TEST(SelfAffineSurface, GaussianAmplitudesHaveTheRmsValueOnAverage)
   {
-    // Σ |h~|² q² of some 400 pairs of waves scatters by about 5 % a sample.
+    // In each sample, Σ |h~|² q² over some 400 pairs of waves scatters by about 5 %.
     SurfaceParameters parameters  = example();
     double            mean_square = 0, fourth_moment = 0, second_moment = 0;
     const int         n_samples = 64;

@@ -50,7 +50,7 @@ namespace
     SurfaceParameters wave;
     wave.kind       = SurfaceKind::expression;
     wave.size       = {{2., 2.}};
-    wave.expression = "3*cos(2*pi*4*x)"; // q = 8π, of 8 waves in the box
+    wave.expression = "3*cos(2*pi*4*x)"; // q = 8π: 8 waves in the box
     for (const SpectrumBin &bin : radial_spectrum(heights_of(wave, 64)))
       {
         const bool holds_it =

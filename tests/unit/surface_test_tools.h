@@ -16,7 +16,7 @@
 
 namespace strait::test
 {
-  /** The heights of a surface on nx × ny points, whole and on every rank. */
+  /** Return all heights of a surface on nx × ny points, row by row, on every rank. */
   inline std::vector<double>
   whole_surface(const SurfaceParameters &parameters, const int nx, const int ny)
   {
@@ -28,7 +28,8 @@ namespace strait::test
     return fetch_rows(make_surface(parameters, layout), rows);
   }
 
-  /** The message of the InputError that @p action throws, else a test failure. */
+  /** Return the message of the InputError that @p action throws; if it throws none, the
+   *  test fails. */
   template <class Action>
   std::string
   input_error(const Action &action)
@@ -54,7 +55,7 @@ namespace strait::test
            << "\"" << message << "\" lacks \"" << part << "\"";
   }
 
-  /** A file that rank 0 writes and removes; all ranks know its name. */
+  /** A file that rank 0 writes; all ranks know its path. It goes with this object. */
   class TemporaryFile
   {
   public:
@@ -82,14 +83,14 @@ namespace strait::test
     std::string path;
   };
 
-  /** The map in a file with that content. */
+  /** Return the map that is read from a file with this @p content. */
   inline HeightMap
   read_map(const std::string &content)
   {
     return read_height_map(TemporaryFile(content).path);
   }
 
-  /** Why such a file is refused. */
+  /** Return the message with which a file with this @p content is refused. */
   inline std::string
   complaint_of_map(const std::string &content)
   {
@@ -97,7 +98,8 @@ namespace strait::test
     return input_error([&file]() { read_height_map(file.path); });
   }
 
-  /** A .npy file around @p data, of any version. */
+  /** Return the content of a .npy file of format @p version: a header with @p dictionary,
+   *  then @p data. */
   inline std::string
   npy(const std::string &dictionary, const std::string &data, const int version = 1)
   {
@@ -119,7 +121,7 @@ namespace strait::test
            ", 'shape': " + shape + ", }";
   }
 
-  /** The bytes of numbers on this machine, which is little-endian. */
+  /** Return the bytes of @p numbers on this machine, which must be little-endian. */
   template <class Number>
   std::string
   bytes(const std::vector<Number> &numbers)

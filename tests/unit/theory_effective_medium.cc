@@ -18,7 +18,7 @@ namespace
     double share, conductivity;
   };
 
-  /** The same of parts with given conductivities in the place of cubed gaps. */
+  /** effective_cubed_gap() of parts with given conductivities in place of cubed gaps. */
   double
   effective_conductivity(const std::vector<MediumPart> &medium, const double n)
   {
@@ -49,7 +49,7 @@ namespace
       for (const double share : {0., .1, .99 * (1 - 1 / n)})
         {
           const double expected = 1 - share * n / (n - 1);
-          // One conductivity, and the same as two parts, which must not matter.
+          // It must not matter if the part that conducts is split into two.
           EXPECT_NEAR(effective_conductivity({{share, 0.}, {1 - share, 5.}}, n) / 5,
                       expected,
                       rounding);
@@ -108,7 +108,7 @@ namespace
 
   TEST(EffectiveMedium, SlipClosesNarrowGaps)
   {
-    // Contact on a share of .1, and gaps of .1, .3 and .7 on .2, .3 and .4.
+    // Contact on 0.1 of the area, and gaps of 0.1, 0.3 and 0.7 on 0.2, 0.3 and 0.4 of it.
     const SlabField gap =
       sample(make_layout({10, 3, 1., 1.}, MPI_COMM_WORLD), [](const double x, double) {
         return x < .05 ? 0. : x < .25 ? .1 : x < .55 ? .3 : .7;

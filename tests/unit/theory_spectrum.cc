@@ -25,7 +25,8 @@ namespace
     return parameters;
   }
 
-  /** 2π ∫ q^power C dq from @p from to @p to by Simpson's rule in ln q. */
+  /** 2π ∫ q^power C dq from @p from to @p to, with C = 1 below the roll-off, by Simpson's
+   *  rule in ln q. */
   double
   moment(const double hurst, const double power, const double from, const double to)
   {
@@ -101,7 +102,7 @@ namespace
         const auto           known    = statistics(heights);
         EXPECT_NEAR(std::sqrt(spectrum.height_square()) / known.rms_height, 1., 1e-12);
         EXPECT_NEAR(std::sqrt(spectrum.slope_square()) / known.rms_slope, 1., 1e-12);
-        // Nothing beyond the shortest wave but what its ring adds.
+        // Nothing lies beyond the shortest wave, except for the rest of its ring.
         EXPECT_LT(spectrum.sections.back().to, 1.03 * 64 * M_PI);
         for (const double q : {20., 100., 150.})
           EXPECT_NEAR(spectrum.wave_number_at(spectrum.slope_square_below(q)) / q,

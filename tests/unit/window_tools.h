@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Grids with windows of finer points, and gaps on them that depend on the place alone.
+// Grids with windows, and fields on them that depend on the position alone.
 #pragma once
 
 #include <strait/spectral/slab_field.h>
@@ -28,7 +28,7 @@ namespace window_tests
     return {-1, 1, x, y, nx, ny};
   }
 
-  /** The windows with x and y exchanged. */
+  /** Return the windows with x and y exchanged. */
   inline std::vector<ZoomWindow>
   transposed(std::vector<ZoomWindow> windows)
   {
@@ -40,7 +40,7 @@ namespace window_tests
     return windows;
   }
 
-  /** A random number in [0, 1) that depends on the place alone. */
+  /** Return a pseudo-random number in [0, 1) from @p seed and the position alone. */
   inline double
   noise(const std::uint64_t seed, const int x, const int y)
   {
@@ -54,7 +54,8 @@ namespace window_tests
     return static_cast<double>(state >> 11) * 0x1p-53;
   }
 
-  /** Where a point lies, in thirds of thirds of the grid's spacing. */
+  /** Return the position of a point of window @p w (−1: of the grid) in ninths of the
+   *  grid spacing, within the box. */
   inline std::pair<int, int>
   place_of(const SlabLayout &layout, const int w, const int ix, const int iy)
   {
@@ -66,7 +67,7 @@ namespace window_tests
     return {in_nine(x), in_nine(y)};
   }
 
-  /** A field of noise, the same on all levels. */
+  /** Return a field of noise that is the same at points of all levels that coincide. */
   inline SlabField
   noise_field(const SlabLayoutPtr &layout, const std::uint64_t seed)
   {
@@ -78,7 +79,7 @@ namespace window_tests
     });
   }
 
-  /** Rough, with a shortest wave of a quarter of the box. */
+  /** Return random heights: a sum of waves, up to four per side of the box. */
   inline Height
   rough(const std::uint64_t seed)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the tests of windows around throats share.
+// Shared by the tests of windows around throats.
 #pragma once
 
 #include <strait/seal/place_windows.h>
@@ -38,7 +38,8 @@ namespace zoom_tests
     return place_windows(*box_with(windows), throats, zoom);
   }
 
-  /** Whether the window covers a point of the parent, of the box's @p n or none. */
+  /** Whether @p window covers point (@p ix, @p iy) of its parent; if that is the grid,
+   *  it is periodic with @p n points along each axis. */
   inline bool
   covers(const ZoomWindow &window, const int ix, const int iy, const int n = 256)
   {
@@ -49,7 +50,8 @@ namespace zoom_tests
     return inside(ix, window.x, window.nx) && inside(iy, window.y, window.ny);
   }
 
-  /** What the type promises: children within their parents, siblings apart. */
+  /** Check what ZoomWindow promises: a window keeps its margin within its parent, and
+   *  windows of one parent are apart. */
   inline void
   expect_sound(const Windows &windows)
   {
@@ -71,7 +73,7 @@ namespace zoom_tests
           {
             EXPECT_EQ(window.level, 1);
           }
-        // Around another one, and the points between them, there is nothing of this.
+        // No other window of this parent covers a point of this one or next to it.
         for (std::size_t other = 0; other < w; ++other)
           for (int y = -1; y <= window.ny; ++y)
             for (int x = -1; x <= window.nx; ++x)

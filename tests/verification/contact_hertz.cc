@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A parabola in a box of 16 contact radii, in which its periodic images are felt
-// at the level of (a/L)³ = 2.4e-4.
+// Hertz's contact: a parabola in a box of 16 contact radii, where its periodic images
+// change the result by about (a/L)³ = 2.4e-4.
 #include <gtest/gtest.h>
 
 #include "../unit/contact_tools.h"
@@ -12,7 +12,7 @@ namespace
 
   struct HertzErrors
   {
-    double radius;   // from the corrected contact area, relative
+    double radius;   // of the contact, from its corrected area, relative
     double peak;     // largest pressure, relative
     double pressure; // root mean square, relative
   };
@@ -47,8 +47,8 @@ namespace
 
   TEST(Hertz, PressureConvergesAtFirstOrder)
   {
-    // The pressure ends in a root, and the contact line lies within a grid
-    // spacing: not more than about the first order can be had.
+    // The pressure vanishes as a square root at a contact line that is known only to a
+    // grid spacing: no order much above one can be expected.
     const HertzErrors coarse = solve_hertz(128), middle = solve_hertz(256),
                       fine = solve_hertz(512);
     RecordProperty("rms_error_128", std::to_string(coarse.pressure));
@@ -61,7 +61,7 @@ namespace
 
     for (const HertzErrors &errors : {coarse, middle, fine})
       EXPECT_LT(std::abs(errors.peak), 5e-4);
-    // Within 0.16 of the grid spacing, which is a/8, a/16, a/32.
+    // 0.16 grid spacings, which are a/8, a/16 and a/32.
     EXPECT_LT(std::abs(coarse.radius), 2e-2);
     EXPECT_LT(std::abs(middle.radius), 1e-2);
     EXPECT_LT(std::abs(fine.radius), 5e-3);

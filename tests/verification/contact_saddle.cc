@@ -17,7 +17,7 @@ namespace
     double saddle_gap;
   };
 
-  // Computed independently on grids up to 1024² and extrapolated.
+  // From an independent computation on grids up to 1024², extrapolated.
   const std::vector<SaddleState> expected = {{0.10, 0.1905, 0.7695, 0.5706},
                                              {0.15, 0.2652, 0.5532, 0.2747},
                                              {0.20, 0.3452, 0.40927, 0.071349},
@@ -48,15 +48,15 @@ namespace
         EXPECT_NEAR(value_at(state.gap, n / 2, 0),
                     exact.saddle_gap,
                     1e-3 * exact.saddle_gap);
-        // Both saddles of the cell are alike.
+        // The two saddles of the periodic cell are equivalent.
         EXPECT_NEAR(value_at(state.gap, 0, n / 2), value_at(state.gap, n / 2, 0), 1e-6);
       }
   }
 
   TEST(SquareSaddle, SaddleGapConverges)
   {
-    // The root mean square over several loads, for single errors jump with the
-    // way the contact line falls between grid points.
+    // Take the root mean square over several loads, because a single error jumps with
+    // the position of the contact line between grid points.
     const std::vector<double>        loads = {0.05, 0.08, 0.11, 0.14, 0.17, 0.2};
     std::vector<std::vector<double>> gaps;
     for (const int n : {32, 64, 128, 1024})
@@ -80,9 +80,9 @@ namespace
     EXPECT_GT(order, 1.7);
     EXPECT_LT(errors[2], 5e-5);
   }
-  // Beyond the critical load a neck joins the patches. The line load on its middle grows
-  // as the throat's gap had closed, without a constant power: doc/closing.md, where the
-  // numbers are of 1024² points.
+  // Beyond the critical load, a neck joins the patches. The line load across its middle
+  // grows about as the gap of the throat had vanished, with an exponent that drifts. The
+  // expected exponents are those of doc/closing.md on 1024² points.
   TEST(SquareSaddle, NeckBeyondTheCriticalLoad)
   {
     const int                 n             = 512;

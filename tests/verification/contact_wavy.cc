@@ -10,7 +10,7 @@ namespace
   using namespace contact_tests;
   namespace wave = reference::product_wave;
 
-  /** Contact fractions, corrected for the grid, at loads over p*. */
+  /** Return the corrected contact fractions at @p loads, which are in units of p*. */
   std::vector<double>
   contact_fractions(const int n, const std::vector<double> &loads)
   {
@@ -27,7 +27,7 @@ namespace
 
   TEST(ProductWave, TendsToItsLimitAtLowLoad)
   {
-    // The peaks interact in proportion to the load: extrapolate to none.
+    // The peaks interact in proportion to the load, so that the ratio tends to 1.
     const std::vector<double> loads = {0.003, 0.006, 0.012},
                               areas = contact_fractions(512, loads);
     std::vector<double> ratios;
@@ -53,8 +53,8 @@ namespace
 
   TEST(ProductWave, ContactAreaConverges)
   {
-    // No closed form in between: errors against a fine grid, as their root mean
-    // square over several loads.
+    // In between, there is no closed form: take errors from a fine grid, and their root
+    // mean square over several loads.
     const std::vector<double>        loads = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
     std::vector<std::vector<double>> areas;
     for (const int n : {64, 128, 256, 1024})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The wave h = cos 2πx, on a grid that is thin in y.
+// Westergaard's contact with the wave h = cos 2πx, on a grid of four points along y.
 #include <gtest/gtest.h>
 
 #include "../unit/contact_tools.h"
@@ -56,21 +56,21 @@ namespace
       std::log(coarse.pressure / fine.pressure) / std::log(16.);
     RecordProperty("mean_gap_order", std::to_string(gap_order));
     RecordProperty("pressure_order", std::to_string(pressure_order));
-    // Contact ends on a grid point here, which makes the mean gap superconverge.
+    // Contact ends on a grid point here, so that the mean gap superconverges.
     EXPECT_GT(gap_order, 1.9);
     EXPECT_GT(pressure_order, 0.95);
     // The mean gap itself is 0.153.
     EXPECT_LT(std::abs(middle.mean_gap), 1e-5);
     EXPECT_LT(middle.gap, 1e-5);
     EXPECT_LT(middle.pressure, 4e-3);
-    // A contact line on a grid point counts for one point more.
+    // With its lines on grid points, the contact has one point too many.
     EXPECT_NEAR(middle.width, 1. / 256, 1e-12);
   }
 
   TEST(Westergaard, ContactLinesBetweenGridPoints)
   {
-    // How the contact line falls between grid points makes single errors jump;
-    // their root mean square over many loads has an order.
+    // A single error jumps with the position of the contact line between grid points;
+    // the root mean square over many loads has an order.
     std::vector<double> gap_errors, mean_gap_errors;
     for (const int n : {64, 256, 1024})
       {

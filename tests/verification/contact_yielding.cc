@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contact that flows at the hardness: a sphere, a rough surface, and what they remember.
+// Contact that yields at the hardness: a sphere, a rough surface, and their indentation.
 #include <strait/base/exceptions.h>
 #include <strait/surface/self_affine_surface.h>
 
@@ -21,9 +21,9 @@ namespace
     return parameters;
   }
 
-  /** The difference of the largest and the smallest h − Gp − g where 0 < p < H, and how
-   *  far the others are on the wrong side, with the surface as @p from left it; computed
-   *  anew, over the rms height. */
+  /** Return by how much @p state violates the contact conditions, over the rms height,
+   *  with the gap Gp − h computed anew on the surface as @p from left it: it must be the
+   *  same wherever 0 < p < H, no smaller where p = 0, and no larger where p = H. */
   double
   violation(const ContactState &state,
             const SlabField    &heights,
@@ -56,8 +56,8 @@ namespace
     return maximum(MPI_COMM_WORLD, worst) / rms(heights);
   }
 
-  /** A sphere of radius 1 under a force of 0.01, E* = 1, in a box of 16 radii of the
-   *  elastic contact. */
+  /** A sphere of radius 1 under a force of 0.01, with E* = 1, in a box whose side is 16
+   *  radii of the elastic contact. */
   struct Sphere
   {
     const reference::Hertz hertz = {.01, 1., 1.};
@@ -83,7 +83,7 @@ namespace
     }
   };
 
-  // Areas and depths from an independent program, to about 1 %.
+  // The areas and depths are from an independent program, accurate to about 1 %.
   TEST(PlasticSphere, AreasAndDepth)
   {
     struct Row
@@ -102,7 +102,7 @@ namespace
       }
   }
 
-  // F_y = π³R²H³/(6E*²), at which the largest pressure of Hertz is the hardness.
+  // Yield begins at F_y = π³R²H³/(6E*²), where the largest Hertzian pressure is H.
   TEST(PlasticSphere, FirstYield)
   {
     const Sphere sphere;
@@ -113,7 +113,7 @@ namespace
     EXPECT_LT(yields.plasticity->area, .05 * yields.contact_area);
   }
 
-  /** The rms slope is 1, and H is in units of E* times it. */
+  /** Its rms slope is 1, so that hardnesses are in units of E* times the rms slope. */
   SlabField
   rough_surface(const int n = 256)
   {
@@ -146,7 +146,8 @@ namespace
       }
   }
 
-  // Of a soft solid the highest points flow, as many as it takes: the bearing area.
+  // In a soft solid, as many of the highest points yield as the load needs: the bearing
+  // area.
   TEST(YieldingContact, BearingAreaWhereElasticityIsNothing)
   {
     const SlabField heights = rough_surface();
@@ -158,8 +159,8 @@ namespace
         EXPECT_TRUE(state.converged);
         EXPECT_NEAR(state.contact_area, part, 1e-3);
         EXPECT_NEAR(state.plasticity->area, part, 1e-3);
-        // The lowest of the points in contact and the highest of the others, and the
-        // surface that is left: cut off at that level.
+        // The remaining surface is cut off at the level that separates the points in
+        // contact from the others.
         double lowest = INFINITY, highest = -INFINITY, top = -INFINITY;
         for (std::size_t i = 0; i < heights.size(); ++i)
           {
@@ -213,8 +214,8 @@ namespace
               1.1 * loaded.plasticity->mean_indentation);
   }
 
-  // While the load rises no pressure falls from the hardness, and one step flows as much
-  // as many do.
+  // While the load rises, no pressure falls below the hardness again, so that one step
+  // indents the surface as much as many do.
   TEST(YieldingContact, OneAgainstTenSteps)
   {
     const SlabField    heights = rough_surface();

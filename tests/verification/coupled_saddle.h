@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The saddle whose throat lies in the middle of the box, under a fluid that presses.
+// The saddle with its throat in the middle of the box, and a fluid that presses on the
+// walls.
 #pragma once
 
 #include "run_fixture.h"

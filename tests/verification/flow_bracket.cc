@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The bracket itself: its indicator, its price, and the switch that proves it.
+// The bracket of the leak rate: the shares of the cells in its width, the unknowns that
+// it takes, and rigorous bounds.
 #include <strait/contact/contact_solver.h>
 #include <strait/flow/reynolds_solver.h>
 #include <strait/surface/make_surface.h>
@@ -19,8 +20,8 @@ namespace strait
              .3 * std::cos(2 * pi * y) * std::cos(4 * pi * (x + y));
     }
 
-    /** A gap with contact on 64 × 64 points, and both problems solved on a mesh of
-     *  cells of 4 spacings, refined once more around the middle. */
+    /** A gap with contact on 64 × 64 points, and both problems solved on a mesh of cells
+     *  of 4 spacings, refined twice more in x < 0.6 around the periodic boundary. */
     struct Solved
     {
       explicit Solved(const FluidParameters &fluid)
@@ -56,9 +57,9 @@ namespace strait
       PotentialProblem pressure, stream;
     };
 
-    // Shares are kept in single precision. Corrected functions that were not conforming
-    // across hanging and periodic edges could have less energy than the best ones of the
-    // mesh to which their nodes belong.
+    // The tolerance allows for shares in single precision. If the corrected functions did
+    // not conform at hanging nodes and across the periodic boundary, their energy could
+    // be less than that of the solution on the refined mesh, to which their nodes belong.
     TEST(FlowBracket, SharesSumToTheWidthAndCorrectionConformsParallel)
     {
       const FluidParameters  fluid = plain_fluid();
@@ -70,7 +71,7 @@ namespace strait
       const double sum =
         dealii::Utilities::MPI::sum(plain.contributions.l1_norm(), MPI_COMM_WORLD);
       EXPECT_NEAR(sum, 1. - plain.lower / plain.upper, 1e-6);
-      // On cells of two spacings or more the coefficient is the same for both.
+      // On cells of two spacings or more, the correction has the same coefficient.
       EXPECT_LT(upper, plain.upper);
       EXPECT_GT(lower, plain.lower);
       solved.pressure.prepare_for_refinement();
@@ -109,7 +110,7 @@ namespace strait
       EXPECT_GE(coarse.upper, fine.lower);
     }
 
-    // At nine tenths of its threshold of 0.2422 E*, eight points to the cut-off.
+    // At 0.9 of its critical load of 0.2422 E*, with eight points per shortest wave.
     TEST(FlowBracket, RoughGapNearItsThresholdNeedsFewUnknowns)
     {
       SurfaceParameters surface;
@@ -120,8 +121,9 @@ namespace strait
       EXPECT_LE(flow.unknowns, 60000U);
     }
 
-    // Eight roll-off wavelengths in the box: other channels have scores of constrictions
-    // as well, and coarse cells that bar one of them each take a small part of the drop.
+    // With eight roll-off wavelengths in the box, side channels have scores of
+    // constrictions, too. Each coarse cell that blocks one of them takes only a small
+    // part of the pressure drop.
     TEST(FlowBracket, LongChannelsNeedFewUnknowns)
     {
       SurfaceParameters surface;
@@ -134,7 +136,8 @@ namespace strait
       EXPECT_LE(flow.unknowns, 120000U);
     }
 
-    // Extremes of K in place of quadrature: the bracket contains the asymptotic one.
+    // Rigorous bounds take extremes of K instead of quadrature, so that their bracket
+    // contains the asymptotic one.
     TEST(FlowBracket, RigorousBoundsEncloseTheOthers)
     {
       for (const GapInterpolation kind :
@@ -153,7 +156,7 @@ namespace strait
         }
     }
 
-    // A plane gap is constant, so nothing is lost.
+    // In a constant gap, the extremes of K are equal, so that the bounds are exact.
     TEST(FlowBracket, RigorousBoundsOfParallelPlatesAreExact)
     {
       FluidParameters fluid = plain_fluid();

@@ -11,8 +11,8 @@ namespace strait
 {
   namespace
   {
-    /** The bracket is that of the interpolated gap: where @p slack is 0 the gap is
-     *  sampled so finely, or so much to one side, that this does not matter. */
+    /** Expect that the bracket, which is that of the interpolated gap, contains @p exact
+     *  up to the relative @p slack; without it, interpolation must not matter. */
     void
     expect_contains(const Leakage &flow, const double exact, const double slack = 0.)
     {
@@ -44,8 +44,8 @@ namespace strait
         }
     }
 
-    // p² is linear where that of a gas is K∇, and the volume at the mean pressure flows
-    // as that of a liquid.
+    // For a gas in a uniform gap, p² is linear, and the volume flow at the mean pressure
+    // is that of a liquid.
     TEST(FlowClosedForms, GasKeepsItsPressureLonger)
     {
       FluidParameters fluid = plain_fluid();
@@ -71,7 +71,7 @@ namespace strait
       EXPECT_GE(flow.upper, 1 - 1e-9);
     }
 
-    // g = 1 + ε cos kx: series resistance along x, mean conductivity along y.
+    // g = 1 + ε cos kx: resistances in series along x, parallel conductivities along y.
     TEST(FlowClosedForms, OneDimensionalGapsConvergeAtSecondOrderOrBetter)
     {
       const double epsilon = 0.5;
@@ -84,7 +84,7 @@ namespace strait
               ? std::pow(1 - epsilon * epsilon, 2.5) / (1 + epsilon * epsilon / 2)
               : 1 + 1.5 * epsilon * epsilon;
           std::vector<double> errors;
-          // A strip suffices, and with four cells across it costs little.
+          // The gap varies along x only, so a strip of four points is enough.
           const auto strip = [=](const int n) {
             return sample([=](const double x,
                               double) { return 1 + epsilon * std::cos(2 * pi * x); },
@@ -103,7 +103,8 @@ namespace strait
               errors.push_back(std::abs(flow.rate / (exact * aspect(4. / n)) - 1));
             }
           fluid.target_accuracy = 1e-3;
-          // One of the bounds is attained, so interpolation shows: 3e-9 of 512 points.
+          // One of the bounds is attained, so that the error of interpolation shows: 3e-9
+          // on 512 points.
           expect_contains(leak(strip(512), fluid), exact * aspect(4. / 512), 1e-8);
           EXPECT_LT(errors[2], 5e-3);
           EXPECT_GT(std::log2(errors[0] / errors[2]) / 2, 1.7);
@@ -122,7 +123,7 @@ namespace strait
       EXPECT_NEAR(flow.rate / (along * across), 1., 1e-3);
     }
 
-    // The corners are singular: a case for local refinement.
+    // The flow is singular at the corners, which takes local refinement.
     TEST(FlowClosedForms, CheckerboardTendsToTheGeometricMean)
     {
       const double        low = 1., high = 2.; // conductivities 1 and 8
@@ -130,8 +131,8 @@ namespace strait
       std::vector<double> errors;
       for (const int n : {64, 256})
         {
-          // The reservoirs must lie on lines of mirror symmetry, so the board is moved
-          // by a quarter period; half a spacing more gives both phases equal shares.
+          // The reservoirs must lie on lines of mirror symmetry, so the board is shifted
+          // by a quarter period; half a spacing more gives both phases as many points.
           const SlabField board = sample(
             [=](const double x, const double y) {
               const auto inside = [=](const double s) {
@@ -151,10 +152,10 @@ namespace strait
       EXPECT_LT(errors[1], .5 * errors[0]);
     }
 
-    // A jump between points is smeared by the interpolation. But Q grows with the gap
-    // everywhere, so the lower bound of a gap below the exact one and the upper bound of
-    // a gap above it enclose the exact value. The interpolants stay between the corners
-    // of their cells: it is enough to take extremes over the neighbours of a point.
+    // Interpolation smears a jump between points. But the leak rate grows with the gap,
+    // so the lower bound for a gap below the exact one and the upper bound for a gap
+    // above it enclose the exact value. Interpolants stay between the values at the
+    // corners of their cells: extremes over the neighbours of a point are enough.
     TEST(FlowClosedForms, CheckerboardIsEnclosed)
     {
       const double        exact = std::sqrt(1. * 8.);
@@ -213,7 +214,7 @@ namespace strait
       std::vector<double> errors;
       for (const int n : {128, 512})
         {
-          // The sign of the distance tells the interpolant where the rim lies.
+          // The interpolant finds the rim where the gap changes its sign.
           const SlabField gap = sample(
             [=](const double x, const double y) {
               const double distance = std::hypot(x - .5, y - .5) - radius;
@@ -228,7 +229,8 @@ namespace strait
       EXPECT_LT(errors[1], .6 * errors[0]);
     }
 
-    // The pressure depends on x alone, so the exact resistance is an integral.
+    // The gap is a product A(x) B(y), so that the pressure depends on x alone and the
+    // exact resistance is an integral.
     TEST(FlowClosedForms, ParabolicConstriction)
     {
       const double t = 2., length = 1., width = .4;
@@ -248,7 +250,7 @@ namespace strait
       EXPECT_NEAR(flow.rate * resistance, 1., 2e-3);
     }
 
-    // However deep the walls of a channel are closed, one point is a channel.
+    // One open grid point is a channel, however far its walls overlap beside it.
     TEST(FlowClosedForms, OnePointWideChannelLeaks)
     {
       std::vector<double> leaks;
@@ -263,7 +265,7 @@ namespace strait
           EXPECT_GT(flow.lower, 0.);
           leaks.push_back(flow.rate);
         }
-      // g³ over a spacing or so; how deep the wall is closed hardly matters.
+      // About g³ on a width of one spacing; how far the walls overlap hardly matters.
       EXPECT_LT(leaks[0], 1e-6 / 64);
       EXPECT_GT(leaks[1], .1 * leaks[0]);
       EXPECT_LT(leaks[2], 2. * leaks[1]);
@@ -280,7 +282,7 @@ namespace strait
       double     lower = 0., upper = 1e300;
       int        n_meshes = 0;
       const auto check    = [&](const Leakage &flow) {
-        // Cells below the grid spacing integrate the same gap more finely.
+        // Cells below the grid spacing integrate the gap more finely, hence the factor.
         EXPECT_LE(flow.mesh_upper, upper * (1 + 1e-5));
         EXPECT_GE(flow.mesh_lower, lower * (1 - 1e-5));
         EXPECT_LE(flow.mesh_lower, flow.mesh_upper);
@@ -292,7 +294,8 @@ namespace strait
       EXPECT_GE(n_meshes, 3);
     }
 
-    // Cells are larger than the grid's, of any degree, and shared by the ranks.
+    // The potential is interpolated from cells larger than those of the grid, of either
+    // degree, on a mesh that is distributed over the ranks.
     TEST(FlowClosedForms, PressureFallsEvenlyInAUniformGapParallel)
     {
       for (const unsigned int degree : {1U, 2U})

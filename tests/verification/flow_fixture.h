@@ -31,7 +31,7 @@ namespace strait
     return field;
   }
 
-  /** Reduced units, η = 1/12, so that K = g³. */
+  /** A liquid in reduced units with η = 1/12, so that K = g³. */
   inline FluidParameters
   plain_fluid(const double target_accuracy = 1e-3)
   {
@@ -41,7 +41,7 @@ namespace strait
     return fluid;
   }
 
-  /** A gap, taken through percolation and bridge as the program does. */
+  /** The channel of a gap and its conductivity, found as the program does. */
   struct GivenGap
   {
     GivenGap(const SlabField &gap, const FluidParameters &fluid)

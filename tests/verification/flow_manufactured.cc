@@ -40,7 +40,7 @@ namespace strait
       GapField field(gap.layout_pointer(), fluid);
       field.update(gap);
       FlowMesh mesh(field, fluid.direction);
-      mesh.triangulation().refine_global(level - 1); // of two cells a side
+      mesh.triangulation().refine_global(level - 1); // from two cells a side
       PotentialProblem problem(mesh,
                                field.moment_set(),
                                GapField::Coefficient::conductivity);

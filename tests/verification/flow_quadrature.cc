@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Gaps that vary between neighbouring points as much as they like, as a product of a
-// function along the flow and one across: so is then their interpolant, whose leak rate
-// is known. No bracket that is marked as good may miss it. STRAIT_TRUST_GAPS sets the
-// number of gaps; doc/accuracy.md reports 500.
+// Gaps that vary arbitrarily between neighbouring points, as the product of a profile
+// along the flow and one across it. Their interpolant is such a product as well, whose
+// leak rate is known. No bracket with the status "ok" may miss it. STRAIT_TRUST_GAPS sets
+// the number of gaps; doc/accuracy.md reports 500.
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
 
@@ -25,8 +25,8 @@ namespace strait
       return a * b > 0 ? 2 * a * b / (a + b) : 0.;
     }
 
-    /** Mean of the interpolant's power, interval by interval, which are halved until the
-     *  mean is known to 1e-12. */
+    /** Return the mean of a @p power of the interpolant of @p v, by adaptive quadrature
+     *  on both halves of each interval, to a tolerance of 1e-13. */
     double
     mean_of_power(const Profile &v, const GapInterpolation kind, const double power)
     {
@@ -54,7 +54,8 @@ namespace strait
       return sum / static_cast<double>(n);
     }
 
-    /** A gap A(x) B(y), or A(y) B(x) where the fluid flows along y. */
+    /** A gap A(x) B(y), or A(y) B(x) if the fluid flows along y, with the profiles A
+     *  along the flow and B across it. */
     struct Laminate
     {
       Profile         along, across;
@@ -87,7 +88,8 @@ namespace strait
       }
     };
 
-    /** Returns whether the bracket is marked as good. */
+    /** Expect that a bracket with the status "ok" contains the exact leak rate. @return
+     *  whether it has that status. */
     bool
     expect_not_fooled(const Laminate &laminate)
     {
@@ -104,13 +106,13 @@ namespace strait
                     flow.upper / exact - 1);
       if (flow.status != "ok")
         return false;
-      // Rounding and the floor of the conductivity.
+      // The tolerance is for rounding and the floor of the conductivity.
       EXPECT_LE(flow.lower, exact * (1 + 1e-7));
       EXPECT_GE(flow.upper, exact * (1 - 1e-7));
       return true;
     }
 
-    /** Random ones, each kind in turn. */
+    /** Random laminates that vary along the flow, across it, and both, in turn. */
     class Laminates
     {
     public:
@@ -157,7 +159,7 @@ namespace strait
       Profile
       profile(const int n, std::string &name)
       {
-        // Of the gap, from its largest to its smallest value, up to 1e4.
+        // Largest over smallest gap, up to 1e4.
         const double contrast = std::pow(10., number(.05, 4.));
         const double width    = .25 * std::log(contrast);
         const int    n_waves  = integer(std::max(1, n / 16), n / 2);
@@ -207,7 +209,7 @@ namespace strait
       int         n_good = 0;
       for (int k = 0; k < n_gaps; ++k)
         n_good += expect_not_fooled(laminates.next()) ? 1 : 0;
-      // To refuse every bracket would be honest too.
+      // A program that marked every bracket as inaccurate would pass the test above.
       EXPECT_GE(2 * n_good, n_gaps);
       if (wanted != nullptr)
         std::printf("%d of %d are good\n", n_good, n_gaps);
@@ -226,7 +228,8 @@ namespace strait
             for (int k = 0; k < 8; ++k)
               columns.along.push_back(k % 2 == 0 ? 1. : narrow);
             columns.fluid.maximum_unknowns = 60000;
-            // The narrow ones take cells of a thousandth of a spacing.
+            // The narrower ones take cells of a thousandth of a spacing, hence too many
+            // unknowns.
             EXPECT_EQ(expect_not_fooled(columns), narrow > .01);
           }
     }

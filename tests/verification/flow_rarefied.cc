@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rarefied gases in gaps where the flow is one-dimensional, which a quadrature solves,
-// and in rough ones.
+// Rarefied gases: one-dimensional flow, which can be integrated directly, and rough gaps.
 #include <strait/flow/leakage.h>
 
 #include <gtest/gtest.h>
@@ -14,7 +13,7 @@ namespace strait
 {
   namespace
   {
-    /** A @p gas that is to be computed to five digits. */
+    /** Return @p gas with settings for a leak rate of five digits. */
     FluidParameters
     accurate(FluidParameters gas)
     {
@@ -31,7 +30,7 @@ namespace strait
         [&](const double x, double) { return gap(x); }, n, 4, length, 4. * length / n);
     }
 
-    /** The exact leak rate per width of the gap between the points of a strip. */
+    /** Return the exact leak rate per width of a strip with a piecewise linear gap. */
     double
     exact_leak(const SlabField &gap, const FluidParameters &fluid)
     {
@@ -43,7 +42,7 @@ namespace strait
         const double g = gap(k, 0) + (x - k) * (gap((k + 1) % n, 0) - gap(k, 0));
         return 12. * fluid.viscosity / (g * g * g) / gas.mobility(g, std::max(p, 0.));
       };
-      // From the outlet, whose pressure is the lower one, with the throughput per width.
+      // Integrate from the outlet, which has the lower pressure, by Runge-Kutta steps.
       const auto inlet_pressure = [&](const double throughput) {
         double       p = fluid.outlet_pressure;
         const double h = 1. / steps, c = throughput * dx;
@@ -76,7 +75,7 @@ namespace strait
           {
             const FluidParameters fluid = accurate(
               slips ? slipping_helium(1e5) : helium(Rarefaction::transitional, 1e5));
-            const double r = 6. * .019169 / gap; // of slip, with λp = 0.019169 m Pa
+            const double r = 6. * .019169 / gap; // slip: 6 λp/g with λp = 0.019169 m Pa
             const double drive =
               slips ? 1e5 * (1.5e5 + r) : RarefiedGas(fluid).drive(gap, 1e5, 2e5);
             const double exact =
@@ -91,7 +90,7 @@ namespace strait
             Leakage of_plates = flow;
             of_plates.aspect  = .1;
             EXPECT_NEAR(effective_gap(of_plates, fluid) / gap, 1., 1e-8);
-            // Of points that are as narrow the last one, half a step before the outlet.
+            // Of equally narrow points, the last one, half a spacing before the outlet.
             EXPECT_NEAR(flow.knudsen * gap * 1e5 / .019169, 1., .03);
           }
     }
@@ -109,11 +108,11 @@ namespace strait
       of_plates.rate *= -1.;
       EXPECT_NEAR(effective_gap(of_plates, fluid) / gap, 1., 1e-8);
       fluid.inlet_pressure = fluid.outlet_pressure;
-      EXPECT_TRUE(std::isnan(effective_gap({}, fluid))); // any would do
+      EXPECT_TRUE(std::isnan(effective_gap({}, fluid))); // any gap would do
     }
 
-    // Of a gas that flows into a vacuum the second of two equal throats takes all but
-    // 1 - 1/sqrt(2) of the pressure.
+    // If a gas flows into a vacuum, each of two equal throats takes half of the drop of
+    // p², and the second one 1/√2 of that of p.
     TEST(FlowRarefied, SharesOfThePressureAreNotThoseOfItsSquare)
     {
       FluidParameters fluid = plain_fluid();
@@ -157,8 +156,9 @@ namespace strait
         }
     }
 
-    // Wide, then narrow, and the other way round; the step is one spacing long, which
-    // Richardson's extrapolation takes away.
+    // A channel that is wide, then narrow, and the same reversed. The step between both
+    // is one spacing long, which Richardson extrapolation removes. The expected leak
+    // rates follow from the closed form of slip flow in two sections in series.
     TEST(FlowRarefied, ChannelsInARowLeakAnotherWayBack)
     {
       const auto leaks_of = [](const bool narrow_last) {
@@ -192,7 +192,7 @@ namespace strait
       EXPECT_NEAR(forward / backward, 1.12293, 1e-4);
     }
 
-    // What is left of the leak rate is enclosed on a coarse mesh as on a fine one.
+    // The brackets of a coarse and of a fine mesh contain the leak rate of the fine one.
     TEST(FlowRarefied, RoughGapIsEnclosed)
     {
       const SlabField gap = sample(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Flow on meshes of a part of the box.
+// Flow on seal meshes, which cover a part of the box.
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>
 
@@ -49,7 +49,7 @@ namespace strait
         }
     }
 
-    // Bounds of a ring of uniform gap after each of several uniform refinements.
+    // Brackets of a ring of uniform gap on meshes that are refined uniformly in turn.
     std::vector<Bracket>
     ring_brackets(const unsigned int degree, const int n_meshes)
     {
@@ -88,7 +88,7 @@ namespace strait
             {
               EXPECT_GT(bracket.upper, exact);
               EXPECT_LT(bracket.lower, exact);
-              // The shares of the cells add up to the width.
+              // The shares of the cells sum to the width.
               const double sum =
                 dealii::Utilities::MPI::sum(bracket.contributions.l1_norm(),
                                             MPI_COMM_WORLD);
@@ -106,8 +106,8 @@ namespace strait
         }
     }
 
-    // A background that jumped where nodes hang would not be conforming: the bounds and
-    // the sum of shares would tell.
+    // If the background of the stream function, the angle, jumped at hanging nodes, it
+    // would not conform, and the bounds and the sum of the shares would be wrong.
     TEST(FlowSealMesh, StreamFunctionOfARingIsContinuousWhereNodesHangParallel)
     {
       const double          exact = ring_conductance(1.);
@@ -160,7 +160,7 @@ namespace strait
 
     TEST(FlowSealMesh, SeparableGapInAStrip)
     {
-      // K = A³ B³ with A of x and B of y: p depends on x alone.
+      // K = A(x)³ B(y)³, so that the pressure depends on x alone.
       const double    a = .4, b = .3;
       const SlabField gap = sample(
         [=](const double x, const double y) {
@@ -175,14 +175,13 @@ namespace strait
         across +=
           .5 / n * std::pow(1 + b * std::sin(2 * pi * (.25 + .5 * (k + .5) / n)), 3);
       const double along = (1 + a * a / 2) / std::pow(1 - a * a, 2.5); // ∫ A⁻³ dx
-      const double exact = across / along, slack = 1e-4; // of the interpolated gap
+      const double exact = across / along, slack = 1e-4; // for the interpolation
       EXPECT_EQ(flow.status, "ok");
       EXPECT_LT(flow.lower, exact * (1 + slack));
       EXPECT_GT(flow.upper, exact * (1 - slack));
     }
 
-    // With a gap that is even in y nothing crosses y = 0, so that walls there change
-    // nothing.
+    // If the gap is even in y, nothing crosses y = 0, and a wall there changes nothing.
     TEST(FlowSealMesh, WalledBoxEqualsThePeriodicOneByMirrorSymmetry)
     {
       const SlabField gap = sample(
@@ -203,8 +202,8 @@ namespace strait
       EXPECT_NEAR(walled.rate / periodic.rate, 1., .01);
     }
 
-    /** Contact all around the ring, but for a notch at the angle 0 of half-width @p
-     * notch. */
+    /** Contact all around the ring, except for a notch at the angle 0 that is @p notch
+     *  radians wide to either side. */
     SlabField
     wall_with_notch(const double notch)
     {
@@ -236,13 +235,13 @@ namespace strait
       const Leakage        flow =
         solver.run(open.channel, [&](const Leakage &now) { meshes.push_back(now); });
       EXPECT_EQ(flow.status, "ok");
-      // Every bracket contains the last one's value.
+      // No bracket contradicts the last one.
       for (const Leakage &now : meshes)
         {
           EXPECT_LE(now.mesh_lower, flow.upper * (1 + 1e-3));
           EXPECT_GE(now.mesh_upper, flow.lower * (1 - 1e-3));
         }
-      // Between a notch with straight walls of its narrowest and of its widest gap.
+      // Between the notch with its narrowest gap and the whole ring with its widest.
       const double share = .3 / pi;
       EXPECT_GT(flow.rate, share * ring_conductance(1e-3));
       EXPECT_LT(flow.rate, ring_conductance(.027));

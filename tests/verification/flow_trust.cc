@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Close to the threshold the throat is far smaller than a grid spacing. Whatever the
-// program then says must hold: no bracket that is marked as good may miss the leak rate.
-// STRAIT_TRUST_MAPS sets the number of random surfaces; doc/accuracy.md reports 20.
+// Close to the threshold, the throat is far smaller than a grid spacing. The brackets
+// must hold all the same: two of one gap may not contradict each other. STRAIT_TRUST_MAPS
+// sets the number of random surfaces; doc/accuracy.md reports 20.
 #include <strait/contact/contact_solver.h>
 #include <strait/surface/make_surface.h>
 
@@ -115,7 +115,7 @@ namespace strait
                   fine.upper);
             }
         }
-      // To refuse every bracket would be honest too.
+      // A program that marked every bracket as inaccurate would pass the test above.
       EXPECT_GE(3 * n_good, 2 * n_rows) << n_good << " of " << n_rows;
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Leak rates of gaps that are known more finely in nested windows.
+// Leak rates of gaps that are sampled more finely in nested windows.
 #include <strait/flow/leakage.h>
 #include <strait/flow/solution_on_grid.h>
 
@@ -16,7 +16,7 @@ namespace strait
 {
   namespace
   {
-    /** A gap and the flow in it; prints what that took. */
+    /** Solves for the flow through a gap and prints what it took. */
     struct SolvedOnWindows
     {
       SolvedOnWindows(const SlabField &gap, const FluidParameters &fluid)
@@ -46,9 +46,8 @@ namespace strait
       Leakage        flow;
     };
 
-    /** The saddle between the spots of a square pattern of contacts, moved by
-     *  @p shift_x along and @p shift_y across the flow: the gap doubles at a distance of
-     *  sqrt(gap)/π. */
+    /** The saddle between the contacts of a square lattice, shifted by @p shift_x along
+     *  the flow and by @p shift_y across it. The gap doubles at a distance of √gap/π. */
     GapFunction
     saddle(const double gap, const double shift_y = 0., const double shift_x = 0.)
     {
@@ -58,8 +57,8 @@ namespace strait
       };
     }
 
-    /** @p n_levels windows around point (@p middle_x, @p middle_y) of an n × n grid, each
-     *  covering @p n_covered points of its parent each way. */
+    /** @p n_levels nested windows around the point (@p middle_x, @p middle_y) of an n × n
+     *  grid, each on @p n_covered points of its parent in both directions. */
     SlabLayoutPtr
     nested(const int n,
            const int n_levels,
@@ -97,9 +96,9 @@ namespace strait
       return fluid;
     }
 
-    // On 48² points half of the throat's length is one spacing, on 432² it is nine. The
-    // gap interpolated between 48² points is off by 4e-4 where the windows end, that is
-    // by a hundredth of the gap there, where 1e-3 of the pressure drops.
+    // Half of the throat's length is one spacing on 48² points and nine on 432². Where
+    // the windows end, the gap interpolated between 48² points is off by 4e-4, a
+    // hundredth of it, but only 1e-3 of the pressure drops there.
     TEST(FlowWindows, NarrowSaddleIsThatOfAFinerGridParallel)
     {
       const double gap = 4e-3;
@@ -117,10 +116,10 @@ namespace strait
           EXPECT_LT(windows.flow.lower, windows.flow.upper);
           EXPECT_LT(windows.flow.lower, fine.flow.upper * (1 + interpolation));
           EXPECT_GT(windows.flow.upper, fine.flow.lower * (1 - interpolation));
-          // Without windows it is another throat.
+          // Without windows, the throat is another one.
           EXPECT_GT(std::abs(coarse.flow.rate / fine.flow.rate - 1.), .02);
           EXPECT_LT(windows.flow.unknowns, 2 * fine.flow.unknowns);
-          // What the windows tell of the constriction and of the pressure drop at it.
+          // The constriction lies in the finest window, with nearly all of the drop.
           const auto report = report_constrictions(windows.given.channel, windows.solver);
           const FlowPath &path = windows.given.channel.paths.front();
           EXPECT_EQ(path.bottleneck.window, 1);
@@ -129,7 +128,7 @@ namespace strait
         }
     }
 
-    // The law of a saddle far from everything else: Q ~ gap³, whatever the gap.
+    // An isolated saddle leaks in proportion to gap³, however small the gap.
     TEST(FlowWindows, SixLevelsFindTheSaddleThatTwoFind)
     {
       const FluidParameters fluid = plain_fluid(1e-2);
@@ -143,8 +142,9 @@ namespace strait
       EXPECT_NEAR(six.flow.rate / two.flow.rate / 1e-12, 1., 1e-2);
     }
 
-    // A throat at the seam is half at the inlet and half at the outlet. Between them the
-    // pressure must be half of the drop in a region that is 10⁷ times as wide.
+    // One half of a throat on the seam lies at the inlet, the other one at the outlet.
+    // Between them, where the gap is 10⁷ times as wide, the pressure must be the mean of
+    // both reservoirs.
     TEST(FlowWindows, HalvesOfAThroatAreBalancedAcrossAWideRegion)
     {
       const double          gap   = 1e-7;
@@ -159,9 +159,9 @@ namespace strait
       EXPECT_NEAR(report.fraction_at_worst, .5, 1e-3);
     }
 
-    // Across the flow a window may cross the seam, and a shift changes nothing, though
-    // 1/K differs by 1e15 over the box and the stream function is free but for one value.
-    // On uniform meshes, since of symmetric cells rounding decides which one is refined.
+    // Across the flow, a window may cross the seam, and a shift changes nothing, although
+    // 1/K spans a factor of 1e15 and only one value of the stream function is fixed. The
+    // meshes are uniform: of symmetric cells, rounding decides which one is refined.
     TEST(FlowWindows, MayCrossTheSeamParallel)
     {
       FluidParameters fluid    = plain_fluid(.2);
@@ -223,13 +223,13 @@ namespace strait
       const double         *next      = potential.data();
       layout->for_each_point([&](const GridPoint &point) {
         const double x = layout->position(point.window, point.ix, point.iy)[0];
-        // On the seam it is that at the inlet.
+        // On the seam, the potential is that of the inlet.
         EXPECT_NEAR(*next++, 1. - (x - std::floor(x + 1e-12)), 1e-8)
           << point.ix << ' ' << point.iy << ' ' << point.window;
       });
     }
 
-    // Along the flow the seam is inlet and outlet, of which a window may hold parts.
+    // Along the flow, the seam is inlet and outlet, and a window may lie across it.
     TEST(FlowWindows, MayLieAcrossInletAndOutletParallel)
     {
       const auto gap = [](const double x, const double y) {
@@ -242,12 +242,12 @@ namespace strait
       EXPECT_EQ(windows.flow.status, "ok");
       EXPECT_LT(windows.flow.lower, fine.flow.upper * (1 + 1e-3));
       EXPECT_GT(windows.flow.upper, fine.flow.lower * (1 - 1e-3));
-      // Both halves of the throat take as much of the pressure.
+      // Each half of the throat takes about half of the pressure drop.
       const auto a = report_constrictions(fine.given.channel, fine.solver);
       const auto b = report_constrictions(windows.given.channel, windows.solver);
       EXPECT_GT(a.fraction_at_worst, .4);
       EXPECT_NEAR(a.fraction_at_worst, b.fraction_at_worst, .02);
-      // To the left of the seam there is the outlet, to the right the inlet.
+      // The outlet lies to the left of the seam, the inlet to the right.
       const PointRows rows = rows_of_window(*layout, 0);
       const auto      flow = flow_at_points(windows.solver, rows);
       const int       seam = 3 * 10 + 1, middle = seam;
@@ -261,8 +261,8 @@ namespace strait
       EXPECT_LT(pressure(seam - 3), .5);
     }
 
-    // The pressure depends on x alone, so the exact resistance is an integral, of which
-    // the window holds all but a few per cent.
+    // The pressure depends on x alone, so that the exact resistance is an integral. All
+    // of it but a few per cent lies in the windows.
     TEST(FlowWindows, ParabolicConstrictionIsEnclosedParallel)
     {
       const double t = 8., length = 1., width = 4.;
@@ -285,12 +285,12 @@ namespace strait
       EXPECT_NEAR(solved.flow.rate * resistance, 1., 1e-3);
     }
 
-    // Stripes along the flow and across it, of which windows know parts: in closed form
-    // the mean of g³ and that of g⁻³, for what the interpolation leaves.
+    // Stripes along and across the flow, partly in windows. The closed forms are the mean
+    // of g³ and the inverse mean of g⁻³, up to the error of interpolation.
     TEST(FlowWindows, LaminatesAcrossWindowsParallel)
     {
       const double epsilon = .5;
-      // One with a window in it, and one across both seams.
+      // One window with another one in it, and one across both seams.
       const auto layout = with_windows(*uniform(32),
                                        {{-1, 1, 3, 9, 12, 10},
                                         {0, 2, 5, 6, 20, 12},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Adhesion against what is known: the sphere between the limits of Bradley and of
-// Johnson, Kendall and Roberts, and the loads at which the square saddle closes.
+// Adhesion against known results: the sphere between the limits of Bradley and of
+// Johnson, Kendall and Roberts (JKR), and the critical loads of the square saddle.
 #include <strait/seal/make_seal.h>
 #include <strait/seal/path.h>
 
@@ -17,7 +17,7 @@ namespace
   struct Sphere
   {
     double pull_off; // in units of π γ0 R: 2 in Bradley's limit, 1.5 in the JKR limit
-    double radius;   // without load, in units of the JKR one
+    double radius;   // without load, in units of that in the JKR limit
   };
 
   Sphere
@@ -88,14 +88,14 @@ namespace
     return scene;
   }
 
-  /** The load at which it closes, or opens again. */
+  /** The load at which this saddle closes on loading, or opens on unloading. */
   double
   critical_load(const double tabor, const LoadPath path)
   {
     return run_sweep(adhesive_saddle(256, tabor, path)).thresholds.at(0).middle();
   }
 
-  // What was asked on the way of one slip length is of another state at the next.
+  // The states that one search meets lie on its own path and must not serve the next.
   TEST(AdhesiveSaddle, EachSlipLengthHasItsOwnWay)
   {
     Scene scene                         = adhesive_saddle(64, 2., LoadPath::loading);

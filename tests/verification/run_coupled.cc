@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The fluid presses the walls apart: closed forms.
+// A fluid that presses the walls apart: closed forms, and rows near a transition.
 #include <strait/base/scene.h>
 #include <strait/contact/contact_solver.h>
 
@@ -61,7 +61,7 @@ namespace strait
             largest = std::max(largest, std::abs(pressed.state.gap()[k] - gap[k]));
           EXPECT_LT(largest, 1e-7); // heights up to 4; the solver's tolerance is 1e-8
           EXPECT_NEAR(pressed.state.fluid->load, pressure, 1e-12);
-          EXPECT_LE(pressed.state.costs.rounds, zooms ? 10 : 2); // two for all windows
+          EXPECT_LE(pressed.state.costs.rounds, zooms ? 10 : 2); // 2 per set of windows
           EXPECT_EQ(pressed.flow->leakage.rate, 0);
         }
     }
@@ -102,7 +102,7 @@ namespace strait
           const Step        step  = last_step(scene);
           const PressedWall exact{scene.fluid.inlet_pressure, 1., 1., 1.};
           double            largest = 0;
-          // At the reservoirs, where the pressure jumps, a grid is of first order.
+          // Near the reservoirs, where the pressure jumps, the order is one.
           for (int ix = n / 16; ix <= n - n / 16; ++ix)
             {
               const double x = static_cast<double>(ix) / n;
@@ -117,7 +117,7 @@ namespace strait
       EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2., .2);
     }
 
-    // The square of a gas's pressure falls evenly from the inlet to vacuum.
+    // The square of a gas's pressure falls linearly from the inlet to vacuum.
     TEST(Coupled, GasCarriesTwoThirdsWhereALiquidCarriesHalf)
     {
       Scene        scene  = open_channel(64, 1e-5);
@@ -130,7 +130,7 @@ namespace strait
 
     TEST(Coupled, LeakRateOfTheOpenChannelToSecondOrder)
     {
-      // The next order is the third: halving the parameter halves the error.
+      // The next term is of third order: half of the parameter halves the relative error.
       std::vector<double> errors;
       for (const double parameter : {.1, .05})
         {
@@ -167,7 +167,7 @@ namespace strait
 
     TEST(Coupled, CostsNothingWhereItIsOff)
     {
-      // The stages of a dry seal, on their own.
+      // Compare with the stages of a dry seal, called one by one.
       Scene scene                    = coupled_saddle(64);
       scene.fluid.feedback.enabled   = false;
       scene.programme.find_threshold = false;
@@ -190,7 +190,7 @@ namespace strait
       }));
     }
 
-    /** On a path of loading the fluid holds a throat open up to a load of 0.3655. */
+    /** On loading, the fluid holds a throat of this seal open up to a load of 0.3655. */
     Scene
     held_open()
     {
@@ -207,9 +207,9 @@ namespace strait
       return scene;
     }
 
-    // In steps of the load of 0.002 the leak rate of a viscosity of 1 is 1.21e-12 there.
-    // One step from the end of the search, 1 % above, closes the throat, and so does the
-    // dry contact.
+    // In load steps of 0.002, the leak rate there is 1.21e-12 with a viscosity of 1. One
+    // step from the end of the search, 1 % above, closes the throat, and so does a start
+    // from the dry contact.
     TEST(Coupled, RowsBelowTheCriticalLoadLeak)
     {
       Scene scene                   = held_open();
@@ -223,9 +223,9 @@ namespace strait
                   .05);
     }
 
-    // To a tolerance of 0.001 it is 0.532, and so it is to 0.01 with Target accuracy from
-    // 0.045 to 0.055; to 0.02 the last step loses the open state or does not by chance.
-    // Rounds that took all of each change lost it at 0.599.
+    // To a tolerance of 0.001, the re-sealing pressure is 0.532, and so it is to 0.01
+    // with a Target accuracy from 0.045 to 0.055. To 0.02, it is chance whether the last
+    // step loses the open state. Rounds that took all of each change lost it at 0.599.
     TEST(Coupled, SmallStepsKeepTheOpenStateOfASealThatClosesAgain)
     {
       Scene scene                         = held_open();
@@ -263,8 +263,8 @@ namespace strait
                 found.opening.grid_error);
     }
 
-    // In small steps of the rounds the leak rate of a viscosity of 1 is 5.81e-8, and no
-    // state agrees with itself.
+    // If the rounds take small fractions of each change, the leak rate is 5.81e-8 with a
+    // viscosity of 1, and there is no state on which contact and flow agree.
     TEST(Coupled, TheBracketTakesInBothSidesOfAGapThatStaysAjar)
     {
       Scene scene                    = held_open();
@@ -301,11 +301,11 @@ namespace strait
       EXPECT_EQ(doubts_at(-.05, true), Words{"uncertain-threshold"});
       EXPECT_EQ(doubts_at(-.05, false), Words{});
       EXPECT_EQ(doubts_at(.05, true), Words{});
-      // Within its bracket nothing contradicts it.
       const auto says = [&log](const char *words) {
         return log.warnings().back().find(words) != std::string::npos;
       };
       EXPECT_TRUE(says("contradicts"));
+      // A row within the bracket of the critical load cannot contradict it.
       EXPECT_EQ(doubts_at(.005, false), Words{"uncertain-threshold"});
       EXPECT_TRUE(says("too uncertain"));
     }

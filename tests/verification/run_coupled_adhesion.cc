@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Adhesion and a fluid that presses on the walls, at once.
+// Adhesion together with a fluid that presses on the walls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ namespace strait
 
     TEST(CoupledAdhesion, EqualReservoirsOnlyCarryLoad)
     {
-      // A uniform pressure moves no wall: the state is the dry one under what is left of
+      // A uniform pressure deforms no wall: the state is the dry one under the rest of
       // the load, on the same branch.
       constexpr double pressure        = .3;
       Scene            wet             = adhesive_saddle(128, 1.);
@@ -71,7 +71,7 @@ namespace strait
       const Transition wet                = run_sweep(scene).thresholds.at(0);
       scene.fluid.feedback.enabled        = false;
       const Transition dry                = run_sweep(scene).thresholds.at(0);
-      // Less would be carried by the mean of the fluid's pressure alone.
+      // The mean fluid pressure alone would raise it by half of the inlet pressure.
       EXPECT_GT(wet.middle() - dry.middle(), .5 * .15);
       EXPECT_LT(wet.middle() - dry.middle(), .15);
       EXPECT_LE(wet.relative_width(), 1e-3);
@@ -85,13 +85,13 @@ namespace strait
       SilentSweep              silent(scene);
       std::vector<std::string> statuses;
       silent.loads.run([&](const Step &step) { statuses.push_back(step.status()); });
-      // The path ends there, as that of a dry contact does.
+      // The path ends where the walls part, as that of a dry contact does.
       ASSERT_EQ(statuses.size(), 1u);
       EXPECT_EQ(statuses[0], "ok");
     }
 
-    // At the smallest inlet pressure of the search that leaks the walls part, and what
-    // closes from far apart is not where an open seal closes.
+    // The walls part as soon as the fluid has opened the seal, which leaves no open state
+    // from which it could close: there is no re-sealing pressure.
     TEST(CoupledAdhesion, PartedWallsAreNoStateToCloseFrom)
     {
       Scene scene                            = adhesive_saddle(48, .5);

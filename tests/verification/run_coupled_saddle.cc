@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The saddle under a fluid that presses its walls apart: how it seals, blows out and
-// closes.
+// re-seals.
 #include <strait/base/scene.h>
 #include <strait/contact/contact_solver.h>
 #include <strait/seal/make_seal.h>
@@ -25,9 +25,9 @@ namespace strait
 
     TEST(Coupled, ExponentUnderAFixedFluidPressure)
     {
-      // A pressure that does not move with the throat is only another surface: the
-      // saddle keeps its exponents, about its own critical load. The window is what
-      // 256² resolves; corrections to scaling are part of the number.
+      // A pressure that does not move with the throat acts like another surface: the
+      // saddle keeps its exponents, about a critical load of its own. The loads are those
+      // that 256² points resolve; corrections to scaling are part of the number.
       Scene scene                         = coupled_saddle(256);
       scene.programme.threshold_tolerance = 1e-6;
       Log               log(MPI_COMM_WORLD, true);
@@ -52,7 +52,7 @@ namespace strait
                                       &pressed.fluid->pressure);
         return state;
       };
-      scene.fluid.feedback.enabled = false; // no path matters
+      scene.fluid.feedback.enabled = false; // the path does not matter
       SealSearch   search(scene, seal, heights.layout_pointer(), flow.domain(), log);
       const double critical = search.find_critical_loads({1.5}).front().middle();
       EXPECT_GT(critical, 1.5); // the fluid carries 5 % of it
@@ -70,7 +70,7 @@ namespace strait
 
     TEST(Coupled, BlowsOutWhereThatPressureMakesTheLoadCritical)
     {
-      // The larger of two views of one curve: L_c(p_in) = L at p_in = the blow-out.
+      // Two views of one curve: L_c(p_in) = L if p_in is the blow-out pressure.
       Scene scene                         = coupled_saddle(64);
       scene.programme.threshold_tolerance = 1e-3;
       scene.programme.find_threshold      = false;
@@ -82,12 +82,12 @@ namespace strait
       const double  opening = found.opening.upper;
       EXPECT_LE(found.opening.relative_width(), 1e-3);
       EXPECT_NEAR(found.opening.bottleneck[0], .5, 2. / 64);
-      // One constriction has no hysteresis.
+      // A single constriction has no hysteresis here.
       ASSERT_TRUE(found.closing);
       EXPECT_LE(found.closing->relative_width(), 1e-3);
       EXPECT_NEAR(found.closing->upper, opening, 3e-3 * opening);
 
-      // Where it leaks by itself contact and throat are those without pressure.
+      // If it leaks by itself, contact area and throat are those without pressure.
       scene.programme.find_resealing = false;
       scene.programme.pressures      = {1.};
       SilentSweep      open(scene);
@@ -104,8 +104,8 @@ namespace strait
 
     TEST(Coupled, SaddleSealsAtALargerLoad)
     {
-      // Independent values, of a grid of the same fineness: 1.057 and 0.010, 1.2 and
-      // 0.04.
+      // Independent values on a grid of the same spacing: a ratio of 1.057 with a shift
+      // of 0.010, and 1.2 with 0.04.
       Scene scene                   = coupled_saddle(128);
       scene.programme.reduced_loads = {.3, .01};
       struct Expected
@@ -124,8 +124,8 @@ namespace strait
           EXPECT_TRUE(silent.loads.run(
             [&rounds](const Step &step) { rounds.push_back(step.state.costs.rounds); }));
           EXPECT_LE(rounds[0], 8);
-          // The stronger pressure takes more: 38 to 68 with meshes that differ by a few
-          // cells, as the closure is not continuous where the channel may close.
+          // The stronger pressure takes more rounds: 38 to 68 on meshes that differ by a
+          // few cells, as the closure is not continuous where the channel may close.
           EXPECT_LE(rounds[1], expected.inlet_pressure < .2 ? 15 : 80);
         }
     }
@@ -141,13 +141,13 @@ namespace strait
       zoomed.contact.zoom.maximum_levels = 1;
       const std::vector<Row> expected = sweep(fine), found = sweep(zoomed);
       ASSERT_EQ(found.size(), 3U);
-      // What is left is the contact around the window.
+      // The rest of the difference is due to the contact around the window.
       for (const std::size_t k : {0, 1, 2})
         {
           EXPECT_NEAR(found[k].leak_rate / expected[k].leak_rate, 1., .03) << k;
           EXPECT_NEAR(found[k].worst_gap / expected[k].worst_gap, 1., .01) << k;
         }
-      EXPECT_GT(found.back().points, 4.); // of which 128² have less than two
+      EXPECT_GT(found.back().points, 4.); // along the throat; 128² have fewer than two
     }
 
     TEST(Coupled, WindowsComeWithTheSearchForTheCriticalLoad)
@@ -160,7 +160,7 @@ namespace strait
       const Sweep result                  = run_sweep(scene);
       ASSERT_EQ(result.rows.size(), 1U);
       EXPECT_NEAR(result.thresholds[0].middle(), 1.518, 2e-3);
-      EXPECT_GT(result.thresholds[0].grid_error, 0.); // by 32² points with a window
+      EXPECT_GT(result.thresholds[0].grid_error, 0.); // from 32² points with a window
       EXPECT_LT(result.thresholds[0].grid_error, .05);
       EXPECT_GT(result.rows[0].points, 7.);
       EXPECT_GT(result.rows[0].error, 0.);
@@ -169,9 +169,9 @@ namespace strait
 
     TEST(Coupled, TwoWaysToALoadMeetWithinTheirBrackets)
     {
-      // Near the threshold the gap amplifies what a mesh gets wrong of the fluid's
-      // pressure, and each way to a load makes meshes of its own: the bracket must allow
-      // for it.
+      // Near the threshold, the gap amplifies the error that a mesh makes in the fluid
+      // pressure, and each path to a load has meshes of its own. The bracket must allow
+      // for this.
       Scene scene                    = coupled_saddle(128);
       scene.fluid.inlet_pressure     = .53;
       scene.programme.find_threshold = false;
@@ -189,7 +189,7 @@ namespace strait
 
     TEST(Coupled, TheExponentStaysUnderAWeakPressure)
     {
-      // At 3.4 % of the load the throat moves by no more than a grid spacing.
+      // A pressure of 3.4 % of the load moves the throat by no more than a grid spacing.
       Scene scene                         = coupled_saddle(256);
       scene.fluid.inlet_pressure          = .05;
       scene.programme.reduced_loads       = {.05, .02, .01};
@@ -206,7 +206,7 @@ namespace strait
     TEST(Coupled, TheExponentGrowsWithTheGrid)
     {
       // The finer the grid, the sharper the pressure step can become, and the further it
-      // moves the throat (doc/feedback.md). Under a step that stays it is 69/20.
+      // moves the throat (doc/feedback.md). With a fixed step, the exponent is 69/20.
       std::vector<double> exponents;
       for (const int n : {128, 256})
         {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Realisations of a scene, alone and together.
+// Realisations of a scene, together and each alone.
 #include <strait/base/exceptions.h>
 #include <strait/run/simulation.h>
 #include <strait/surface/read_scene.h>
@@ -30,7 +30,7 @@ namespace strait
       return lines;
     }
 
-    /** A scene of small surfaces whose critical loads are sought. */
+    /** Write a scene of small surfaces whose critical loads are sought. */
     void
     write_ensemble(const std::string &scene_file,
                    const std::string &reduced_loads,
@@ -72,15 +72,15 @@ namespace strait
       const auto rows = lines_of(folder + "/all/ensemble.csv");
       ASSERT_EQ(rows.size(), 5U);
       EXPECT_EQ(rows[4].substr(0, 13), "4,4,inverted,");
-      // With a throat too coarse at one of its two steps it has no crossover, and says
-      // so.
+      // Its throat is too coarse at one of two steps. It has no crossover, and its status
+      // says so.
       EXPECT_NE(rows[4].find("nan,nan,nan,unresolved-throat+no-crossover,coarse-throat"),
                 std::string::npos)
         << rows[4];
       EXPECT_EQ(lines_of(folder + "/all/ensemble_summary.csv").front(),
                 "quantity,mean,standard_deviation,samples,missing");
 
-      // The scene in the folder of a realisation repeats it.
+      // The scene in the folder of a realisation repeats that realisation.
       const std::string alone = folder + "/all/realisation-4/parameters.prm";
       const Scene       scene = read_scene(alone);
       EXPECT_FALSE(scene.realisations.enabled());
@@ -92,7 +92,7 @@ namespace strait
         std::getline(cells, cell, ',');
       EXPECT_NEAR(run_sweep(scene).thresholds[0].lower / std::stod(cell), 1., 1e-12);
 
-      // Fewer of them leave nothing of the others behind.
+      // A run of fewer realisations leaves no results of the others behind.
       const Overrides one = {overrides.front(), "Realisations/Seeds=5"};
       Log             anew(MPI_COMM_WORLD, true);
       EXPECT_TRUE(run_all_realisations(read_scene(scene_file, one), anew));
@@ -103,7 +103,7 @@ namespace strait
 
     TEST(Ensemble, ASurfaceTurnsWithItsFrame)
     {
-      // In a box that is longer than wide; the map states no size.
+      // The box is longer than wide, and the map states no size.
       const test::TemporaryFolder temporary;
       const std::string           folder = temporary.path();
       std::string                 header =
@@ -154,7 +154,7 @@ namespace strait
         }
     }
 
-    /** The tables of an ensemble, word by word. */
+    /** The tables of an ensemble, cell by cell. */
     std::vector<std::string>
     words_of_ensemble(const std::string &folder)
     {
@@ -169,7 +169,7 @@ namespace strait
       return words;
     }
 
-    // Three realisations on groups of one rank, so that the last group has less to do.
+    // Three realisations on groups of one rank: not all groups have as much to do.
     TEST(Ensemble, GroupsOfRanksWriteTheTablesOfASequenceParallel)
     {
       const test::TemporaryFolder temporary;
@@ -204,7 +204,7 @@ namespace strait
         }
       EXPECT_GT(n_numbers, 20);
 
-      // What is done is not run again, whichever ranks did it.
+      // With --resume, no realisation runs again, whichever ranks ran it.
       MPI_Barrier(MPI_COMM_WORLD);
       EXPECT_EQ(run("/groups", {}, true), groups);
       const Overrides bad = {"Realisations/Ranks each=1000",

@@ -16,14 +16,14 @@ namespace strait
 {
   constexpr double pi = 3.14159265358979323846;
 
-  /** What the tests look at in a step. */
+  /** What the tests read from a step. */
   struct Row
   {
     double pressure, contact_area, mean_gap, worst_gap, leak_rate, lower, upper;
     double slip_length, reduced_load;
     Throat throat;
 
-    double      error, points; // of the leak rate; along the throat
+    double      error, points; // relative, of the leak rate; along the throat
     std::string status;
   };
 
@@ -39,7 +39,7 @@ namespace strait
     return make_surface(scene.surface, make_layout(grid_of(scene), comm));
   }
 
-  /** The sweep of a scene, which must outlive it, without a sound. */
+  /** The sweep of @p scene, which must outlive it, without output. */
   struct SilentSweep
   {
     explicit SilentSweep(const Scene &scene, const MPI_Comm comm = MPI_COMM_WORLD)

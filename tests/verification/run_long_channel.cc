@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fluid flows along the valleys of a wave that it presses apart (Shvarts and Yastrebov,
-// Tribol. Int. 126, 2018): in a long channel each section is Westergaard's contact under
-// what the fluid's pressure there leaves of the load.
+// A fluid flows along the valleys of a wave and presses it apart (Shvarts and Yastrebov,
+// Tribol. Int. 126, 2018). In a long channel, each cross-section is Westergaard's contact
+// under the load minus the fluid pressure there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace strait
     constexpr double amplitude = .1, full_pressure = pi * amplitude; // p*
     constexpr double inlet = .3 * full_pressure;
 
-    /** The mean of @p f between @p lower and @p upper, by the rule of midpoints. */
+    /** The mean of @p f between @p lower and @p upper, by the midpoint rule. */
     template <class Function>
     double
     mean_of(const Function &f, const double lower, const double upper, const int n)
@@ -28,7 +28,7 @@ namespace strait
       return sum / n;
     }
 
-    /** Its leak rate by lubrication, with the viscosity of 1. */
+    /** The leak rate of the channel by lubrication theory, with a viscosity of 1. */
     double
     lubrication(const double load, const double outlet, const double length)
     {
@@ -65,7 +65,8 @@ namespace strait
       return run_sweep(scene);
     }
 
-    /** Where the sixth root of the leak rate, as which it vanishes, is zero. */
+    /** Return the load at which the channel seals. The leak rate vanishes as the sixth
+     *  power, so its sixth root is extrapolated linearly to zero. */
     double
     sealing_load(const double load,
                  const double leak_rate,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From a scene to leak rates: numbers of the isolated saddle, and effects that are
-// off.
+// From a scene to leak rates: the isolated saddle, effects that are off, and the error
+// budget.
 #include <strait/run/result_tables.h>
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace strait
 {
   namespace
   {
-    // Contact areas, gaps and conductivities of the isolated saddle, computed
-    // independently to about 0.1 %.
+    // Contact areas, gaps and conductivities of the isolated saddle are from an
+    // independent computation, accurate to about 0.1 %.
     TEST(SaddleSweep, AgreesWithIndependentNumbersParallel)
     {
       const std::vector<Row> rows = sweep(saddle_scene());
@@ -53,7 +53,7 @@ namespace strait
       Scene scene               = saddle_scene();
       scene.contact.grid_points = {{128, 128}};
       scene.programme.pressures = {.2 * 2 * pi};
-      // The same mesh in both directions; adaptive ones break ties differently.
+      // The same mesh in both directions; adaptive meshes break ties differently.
       scene.fluid.uniform_refinement = true;
       scene.fluid.target_accuracy    = .02;
       const Row along_x              = sweep(scene).front();
@@ -65,8 +65,8 @@ namespace strait
 
     TEST(SaddleSweep, SlipMovesTheThreshold)
     {
-      // At 0.22 p* the saddle's gap is 0.0159: a slip length of half of that and
-      // more stops the flow, and a tiny one changes nothing.
+      // At 0.22 p*, the saddle's gap is 0.0159. A negative slip length of half of that
+      // or more stops the flow; a tiny one changes nothing.
       Scene scene               = saddle_scene();
       scene.contact.grid_points = {{256, 256}};
       scene.programme.pressures = {.22 * 2 * pi};
@@ -168,7 +168,7 @@ namespace strait
 
     TEST(Sweep, ContinuesFromStepToStep)
     {
-      // The steps of a programme give what each gives alone.
+      // Each step of a programme has the same result as if it were the only one.
       Scene scene                 = saddle_scene();
       scene.contact.grid_points   = {{128, 128}};
       scene.contact.tolerance     = 1e-10;
@@ -217,7 +217,7 @@ namespace strait
       EXPECT_TRUE(SilentSweep(scene).log.warnings().empty());
     }
 
-    // What the past leaves behind on every second point is theirs: it went the same way.
+    // If states depend on their path, the coarser grid follows the same path by itself.
     TEST(ErrorBudget, FollowsThePathOnCoarserPoints)
     {
       Scene rough;
@@ -237,19 +237,15 @@ namespace strait
       adhesive.contact.adhesion.enabled        = true;
       adhesive.contact.adhesion.surface_energy = .1;
       adhesive.contact.adhesion.tabor_number   = 1.;
-      // Half as many points a wave serve where contact and flow agree round by round.
-      pressed.contact.grid_points = {{32, 32}};
-      for (Scene *scene : {&yielding, &adhesive})
-        scene->contact.grid_points = {{64, 64}};
       for (Scene scene : {pressed, yielding, adhesive})
         {
+          scene.contact.grid_points = {{64, 64}};
           const Sweep plain         = run_sweep(scene);
           scene.output.error_budget = true;
           const Sweep coarse        = run_sweep(scene);
           scene.output.error_budget = false;
-          for (int &n : scene.contact.grid_points)
-            n *= 2;
-          const Sweep fine = run_sweep(scene);
+          scene.contact.grid_points = {{128, 128}};
+          const Sweep fine          = run_sweep(scene);
           ASSERT_EQ(coarse.rows.size(), fine.rows.size());
           for (std::size_t k = 0; k < fine.rows.size(); ++k)
             {
@@ -269,7 +265,7 @@ namespace strait
         }
     }
 
-    // The outlet's pressure is said of both grids then, and tells of none.
+    // Both grids then report the outlet pressure, which tells nothing about the error.
     TEST(ErrorBudget, ABlowOutOfASealThatLeaksHasNone)
     {
       Scene scene                         = saddle_scene(64);
@@ -288,7 +284,7 @@ namespace strait
       EXPECT_TRUE(std::isnan(found.closing->grid_error));
     }
 
-    // Two grids may agree by chance, three hardly.
+    // Two grids may agree by chance, three hardly do.
     TEST(ErrorBudget, ABlowOutIsComparedOnThreeGrids)
     {
       Scene scene                            = saddle_scene(128);
@@ -314,11 +310,11 @@ namespace strait
         }
       const double by_second = 3. * std::abs(found[1] / found[2] - 1.),
                    by_fourth = .5 * std::abs(found[0] / found[1] - 1.);
-      EXPECT_LT(by_second, .5 * by_fourth); // here by chance
+      EXPECT_LT(by_second, .5 * by_fourth); // agree by chance here
       EXPECT_NEAR(error, by_fourth, .1 * by_fourth);
     }
 
-    // Every second row of these grooves is at the same height, and always sealed.
+    // On every second row, these grooves have the same height and are always sealed.
     TEST(ErrorBudget, SaysWhereFewerPointsDoNotLeak)
     {
       Scene scene                         = saddle_scene(64);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The critical load of the isolated saddle and of rough surfaces, how sure it is, and the
-// exponents near it.
+// The critical loads of the isolated saddle and of rough surfaces, their errors, and the
+// exponents near them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -50,7 +50,7 @@ namespace strait
           found.push_back(threshold.middle());
           errors.push_back(threshold.grid_error);
         }
-      // The differences fall as h^p; so does the rest of the series.
+      // The differences fall as h^p with the spacing h, and so does what is left.
       const double ratio = (found[0] - found[1]) / (found[1] - found[2]);
       const double limit = found[2] - (found[1] - found[2]) / (ratio - 1);
       EXPECT_GT(std::log2(ratio), 1.5);
@@ -60,7 +60,8 @@ namespace strait
       EXPECT_LT(errors.back(), 2e-3);
     }
 
-    // What a throat tells of itself is refuted where finer points keep it open.
+    // In a crease, the estimate from the throat is too small, as finer points keep it
+    // open: the coarser grid must correct it.
     TEST(CreaseThreshold, ErrorOfTheGridHoldsWhereTheThroatMisleads)
     {
       Scene scene              = threshold_scene(64, 1e-3);
@@ -91,8 +92,8 @@ namespace strait
       EXPECT_EQ(rows[2].status, "ok");
     }
 
-    // That hangs on where the throat lies between the points, so that differences of
-    // grids tell too little of it.
+    // The critical load depends on where the throat lies between the points, so that
+    // differences between grids tell too little about its error.
     TEST(RoughThreshold, FinerPointsHaveTheCriticalLoadWithinItsError)
     {
       Scene scene = rough_scene(512, 1. / 16);
@@ -113,7 +114,7 @@ namespace strait
         }
     }
 
-    // As much of it hangs on the points that are farther from each other.
+    // The error must be that of the larger spacing.
     TEST(RoughThreshold, LongCellsDoNotMakeItSure)
     {
       Scene scene = rough_scene(256, .25);
@@ -142,7 +143,7 @@ namespace strait
       EXPECT_LE(unloading.n_solves, 12);
     }
 
-    /** β of value ∝ ε^β between the first row and the last. */
+    /** Return β of value ∝ ε^β between the first and the last row, with ε = 1 − L/L_c. */
     double
     exponent(const std::vector<Row>                   &rows,
              const std::function<double(const Row &)> &value)
@@ -151,7 +152,7 @@ namespace strait
              std::log(rows.back().reduced_load / rows.front().reduced_load);
     }
 
-    // In the window that 512² resolves; corrections to scaling are part of the numbers.
+    // At loads that 512² points resolve; corrections to scaling are part of the numbers.
     TEST(SaddleThreshold, ExponentsOfThroatAndLeakRate)
     {
       Scene scene                   = threshold_scene(512, 1e-6);
@@ -183,7 +184,7 @@ namespace strait
       EXPECT_LT(slip.upper, dry.lower);
       EXPECT_LT(0., slip.grid_error);
       EXPECT_LT(slip.grid_error, .01);
-      // Known loads of the first search serve the second.
+      // The loads that the first search probed serve the second.
       scene.fluid.slip_lengths = {-.002};
       EXPECT_LT(slip.n_solves, run_sweep(scene).thresholds[0].n_solves);
       ASSERT_EQ(result.rows.size(), 2U);
@@ -200,7 +201,7 @@ namespace strait
       scene.contact.maximum_iterations = 4;
       SilentSweep silent(scene);
       EXPECT_FALSE(silent.loads.find_thresholds().front().converged);
-      // That counts for the run, which has no step here.
+      // This counts for the run as well, which has no steps here.
       EXPECT_FALSE(silent.loads.run([](const Step &) {}));
     }
   } // namespace

@@ -17,7 +17,7 @@ namespace strait
 
     TEST(Trapped, ReferenceHasTheValuesOfTheTable)
     {
-      // Computed independently.
+      // The pressures are from an independent computation.
       const double loads[] = {.5, 1., 2., 5.};
       const struct
       {
@@ -35,7 +35,7 @@ namespace strait
             << row.modulus << ' ' << loads[i];
     }
 
-    /** A wave whose crest lies at the reservoirs, so that all fluid is trapped. */
+    /** A wave whose crest lies on the reservoirs, so that all fluid is trapped. */
     Scene
     trapped_wave(const int n, const TrappedFluidLaw law, const double modulus)
     {
@@ -75,7 +75,7 @@ namespace strait
       return points;
     }
 
-    /** @p points of the path lie on the closed form, on the way up and down. */
+    /** Expect that the @p points of a path up and down lie on the closed form. */
     void
     compare(const std::vector<Point> &points, const reference::TrappedWave &exact)
     {
@@ -96,7 +96,7 @@ namespace strait
         path_of(trapped_wave(512, TrappedFluidLaw::incompressible, 0.));
       compare(points, {when_trapped});
       for (const Point &point : points)
-        // To a grid point at either rim.
+        // To about one grid point at either rim.
         EXPECT_NEAR(point.area, points[0].area, 2.5 / 512) << point.load;
     }
 
@@ -112,7 +112,7 @@ namespace strait
 
     TEST(Trapped, FluidIsTheSameInAnyUnitOfPressure)
     {
-      // Reservoirs without pressure give none to compare with.
+      // As the reservoirs are without pressure, they give no scale for it.
       Scene scene = trapped_wave(128, TrappedFluidLaw::incompressible, 0.);
       const std::vector<Point> in_one = path_of(scene);
       constexpr double         unit   = 1e-4;
@@ -162,20 +162,20 @@ namespace strait
           last.load    = step.state.fluid->load;
           last.trapped = step.state.fluid->trapped;
         }));
-        // As accurate as was asked for, in all parts together.
+        // As accurate as asked for, with the uncertainties of all partial steps added up.
         EXPECT_LT(last.trapped->uncertainty, .1 * loads.back());
         return last.load;
       };
       const double in_one = carried({.1, .4}),
                    in_six = carried({.1, .15, .2, .25, .3, .4});
       EXPECT_NEAR(in_one, in_six, .1 * .1 * .4);
-      // Taken as it is the first would be .019.
+      // Without halving, the first would be .019.
       EXPECT_GT(in_one, .04);
     }
 
     TEST(Trapped, LiquidTearsWhereTheWallLeavesIt)
     {
-      // Without a cavity it would hold the wall by a tension.
+      // Without a cavity, the liquid would be under tension and hold the wall.
       Scene scene               = trapped_wave(256, TrappedFluidLaw::incompressible, 0.);
       scene.programme.pressures = {.2 * pi, .1 * pi, .2 * pi};
       const std::vector<Point>     points = path_of(scene);

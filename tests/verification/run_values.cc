@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A state is a value: models remember nothing of what they were asked before.
+// A state is a value: models remember nothing of the states that they computed before.
 #include <strait/seal/make_seal.h>
 #include <strait/seal/path.h>
 

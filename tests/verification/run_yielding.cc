@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Loads, searches and theory of a contact that flows at the hardness.
+// Loads, searches and theory of a contact that yields at the hardness.
 #include <strait/base/exceptions.h>
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ namespace strait
           EXPECT_EQ(after_a_search.rows[k].contact_area, alone[k].contact_area);
           EXPECT_NEAR(after_a_search.rows[k].mean_gap / alone[k].mean_gap, 1., 1e-6);
         }
-      // A path that comes from below in other steps opens and closes at the same loads.
+      // A path that comes from below in other steps is open and sealed at the same loads.
       scene.programme.find_threshold = false;
       scene.programme.reduced_loads  = {};
       scene.programme.pressures      = {.5 * found.lower,
@@ -48,7 +48,7 @@ namespace strait
       EXPECT_EQ(around[2].leak_rate, 0.);
     }
 
-    // The way back closes at another load than the one that is known.
+    // On the way back, the critical load is another one, which is not known.
     TEST(YieldingSeal, TheWayBackHasNoReducedLoad)
     {
       Scene scene                    = yielding_scene(.3);
@@ -67,8 +67,8 @@ namespace strait
       EXPECT_EQ(n_on_the_way_back, 1);
     }
 
-    // It opens again at a lower load than it closed at, the lower the larger the load
-    // was.
+    // On unloading, the seal opens at a lower load than it closed at: the larger the
+    // largest load was, the lower.
     TEST(YieldingSeal, OpensWhereTheLargestLoadSays)
     {
       Scene scene                    = yielding_scene(.3);
@@ -88,7 +88,7 @@ namespace strait
           EXPECT_LT(found.upper, .95 * opens);
           opens = found.lower;
 
-          // The same loads one after the other on the way back.
+          // The same loads one after the other on the way back, without a search.
           ASSERT_EQ(searched.rows.size(), 4U);
           Scene without                    = scene;
           without.programme.find_threshold = false;
@@ -108,7 +108,7 @@ namespace strait
         }
     }
 
-    // Nothing bears loads of the hardness, however little of it that is.
+    // No contact bears the hardness as its nominal pressure, however small it is.
     TEST(YieldingSeal, SearchStaysBelowTheHardness)
     {
       const double hardness          = .02;
@@ -132,8 +132,8 @@ namespace strait
       EXPECT_LT(rows[4].leak_rate, .5 * rows[0].leak_rate);
     }
 
-    // The theory takes the surface for its spectrum and contact patches for points: of
-    // the elastic contact as well it finds less area.
+    // The theory knows only the spectrum of the surface and takes contact patches for
+    // points. In elastic contact, too, its area is smaller than the simulated one.
     TEST(YieldingSeal, AreasNearThoseOfPerssonsTheory)
     {
       for (const double hardness : {1., .5})

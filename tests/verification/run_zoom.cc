@@ -35,14 +35,15 @@ namespace strait
         }
     }
 
-    /** The exponent of a quantity that had these values at two reduced loads. */
+    /** The exponent of a quantity with the values @p a and @p b at two reduced loads. */
     double
     slope(const double a, const double b, const Row &at_a, const Row &at_b)
     {
       return std::log(a / b) / std::log(at_a.reduced_load / at_b.reduced_load);
     }
 
-    // Windows are found with half of them, both where they change and where they stay.
+    // Windows are placed with half the digits; the state that is returned has all of
+    // them, whether its windows are new or not.
     TEST(ZoomedSaddle, IsSolvedToAllDigits)
     {
       Scene scene               = zoomed(saddle_scene(64));
@@ -54,7 +55,7 @@ namespace strait
       }));
     }
 
-    // Another layer at the walls moves the throat.
+    // Another slip length moves the throat.
     TEST(ZoomedSurface, EachSlipLengthHasItsOwnWindows)
     {
       Scene scene;
@@ -71,7 +72,7 @@ namespace strait
       EXPECT_NEAR(both[1].leak_rate / alone.leak_rate, 1., both[1].error + alone.error);
     }
 
-    // Against grids of 3456² and 1024² points everywhere.
+    // Compare with grids of 3456² and 1024² points everywhere.
     TEST(ZoomedSaddle, ClosesAsOnAFineGridParallel)
     {
       Scene scene                         = zoomed(saddle_scene(256));
@@ -88,7 +89,7 @@ namespace strait
       const std::vector<Row> &rows = result.rows;
       ASSERT_EQ(rows.size(), 3U);
       expect_resolved(rows, scene);
-      // Of 768² points with windows, each as far from its own critical load.
+      // From 768² points with windows, at the same reduced loads.
       const double leak_rate[] = {1.8303e-4, 5.1331e-8, 1.8608e-11};
       for (int k = 0; k < 3; ++k)
         {
@@ -108,8 +109,8 @@ namespace strait
         }
     }
 
-    // The fluid does not see the last of the gap: the patches are apart where it ceases
-    // to flow, all is smooth there, and the law of closing is a power.
+    // The fluid does not see the last part of the gap: when it ceases to flow, the
+    // patches are still apart and all is smooth, so the leak rate vanishes as a power.
     TEST(ZoomedSaddle, ClosesAsACubeWithNegativeSlip)
     {
       Scene scene                         = zoomed(saddle_scene(256));
@@ -129,13 +130,13 @@ namespace strait
       EXPECT_NEAR(exponent(&Row::leak_rate, 2), 3.03, .02);
     }
 
-    // Of three views of one contact; in the first the throat lies on the seam along the
+    // Three views of one contact; in the first, the throat lies on the seam along the
     // flow.
     TEST(ZoomedSaddle, DirectionAndPlaceDoNotMatterParallel)
     {
       Scene scene                 = zoomed(saddle_scene(128));
       scene.programme.pressures   = {.99 * 1.43636};
-      scene.fluid.target_accuracy = .2; // the grid shifts the critical load
+      scene.fluid.target_accuracy = .2; // because the grid shifts the critical load
       const Row along_x           = sweep(scene).front();
       scene.fluid.direction       = FlowDirection::y;
       const Row along_y           = sweep(scene).front();
@@ -166,8 +167,8 @@ namespace strait
       return scene;
     }
 
-    // The search says at which load it seals, and so does a step that knows of no search:
-    // on the grid alone it would be sealed from 0.1918 on.
+    // Steps without a search find the same critical load as the search. On the grid
+    // alone, without windows, the contact would seal from 0.1918 on.
     TEST(ZoomedRough, SealsWhereTheSearchSaysWithoutASearch)
     {
       Scene scene                 = rough(7, 64, .125);
@@ -185,9 +186,9 @@ namespace strait
       EXPECT_LT(found.upper, .2);
     }
 
-    // 8192² points everywhere have 0.24170. The throat that closes first is not the one
-    // that most of the pressure drops at a little below: with windows around that one
-    // alone it would be 0.2430.
+    // On 8192² points everywhere, the critical load is 0.24170. The throat that closes
+    // first is not the one with most of the pressure drop at a little less load: with
+    // windows around that one alone, it would be 0.2430.
     TEST(ZoomedRough, SealsWhereTheFirstOfSeveralThroatsCloses)
     {
       Scene scene                         = rough(1, 512, 1. / 128);

@@ -13,7 +13,7 @@ namespace strait
     return std::string(STRAIT_TEST_DATA) + "/../meshes/" + name + ".msh";
   }
 
-  /** A mesh of the project, and the part of a grid that lies in it. */
+  /** A seal mesh from the folder meshes, and the part of a grid that lies in it. */
   struct SealOnGrid
   {
     SealOnGrid(const PeriodicGrid &grid, const std::string &mesh)
@@ -28,7 +28,8 @@ namespace strait
     FlowDomain domain;
   };
 
-  /** A gap around a mesh of the project, taken through percolation and bridge. */
+  /** The channel of a gap on a seal mesh and its conductivity, found as the program
+   *  does. */
   struct GapInSeal
     : SealOnGrid
     , GivenGap

@@ -10,7 +10,7 @@ namespace
 {
   using namespace strait;
 
-  /** H = 0.8, L/λr = 2, λr/λs = 64 unless told otherwise, rms slope 1. */
+  /** A surface with H = 0.8, L/λr = 2, λr/λs = @p scale_ratio, and an rms slope of 1. */
   SurfaceParameters
   rough(const double scale_ratio = 64.)
   {
@@ -26,17 +26,17 @@ namespace
     return std::sqrt(spectrum.height_square());
   }
 
-  /** Area, mean gap, and 12 η K_e for n = 2 and 1/0.58, lengths in rms heights. */
+  /** Area, mean gap, and 12 η K_e for n = 2 and 1/0.58; lengths in rms heights. */
   struct Row
   {
     double load, area, mean_gap, two, corrected;
   };
 
-  // An independent computation in Python: P(u) by brute force on 6400 magnifications
-  // and 6000 bins, which changed by less than 1e-4 from a quarter of them. The first
-  // three rows agree with the published table to its three digits. For the last the
-  // table says 2.22e-5 at n = 1/0.58: that is what comes out if gaps of more than
-  // about five rms heights, 0.03 % of the area, are left out.
+  // From an independent computation in Python: P(u) by brute force on 6400 magnifications
+  // and 6000 bins; a quarter of them changes it by less than 1e-4. The first three rows
+  // agree with the published table to its three digits. In the last, the table
+  // has 2.22e-5 at n = 1/0.58, which is the result without gaps of more than about five
+  // rms heights, 0.03 % of the area.
   const std::vector<Row> table = {
     {.01, .015956627, 1.6052105, 3.11628, 2.370267},
     {.05, .079655675, .7489067, .19606908, .10134506},
@@ -61,7 +61,8 @@ namespace
       }
   }
 
-  // From the same series in Python, and the limits of a hard and of a soft solid.
+  // The areas are those of the same series in Python, and the limits of a hard and of a
+  // soft solid.
   TEST(Persson, ElasticAndPlasticAreas)
   {
     const PerssonTheory theory(model_spectrum(rough()), 1.);
@@ -89,7 +90,7 @@ namespace
         EXPECT_NEAR(soft.plastic, .3, 1e-12);
         EXPECT_NEAR(soft.elastic, 0., 1e-12);
       }
-    // Where the series hands over to the limits.
+    // Where the series is replaced by the limits.
     for (const double load : {4.4999, 4.5001})
       for (const double left : {4.4999, 4.5001})
         {
@@ -102,7 +103,7 @@ namespace
     EXPECT_NEAR(nearly_full.plastic, 1 - theory.contact_area(.2), 1e-12);
   }
 
-  /** P(u) of @p state at the gap @p u > 0 [1/length]. */
+  /** Return P(u) of @p state at the gap @p u > 0 [1/length]. */
   double
   gap_density(const PerssonState &state, const double u)
   {
@@ -187,7 +188,7 @@ namespace
     const PerssonState    state = theory.solve(.05);
     const GapDistribution all   = theory.distribution(state);
     EXPECT_EQ(all.contact_area, state.contact_area);
-    // Up to an edge of the bins, and three tenths of the area in all.
+    // Let gaps up to an edge of the bins count as contact, in all 0.3 of the area.
     std::size_t first = 0;
     double      below = all.contact_area;
     while (below < .3)
@@ -205,7 +206,7 @@ namespace
     EXPECT_NEAR(sum, 1., 1e-12);
     for (std::size_t k = first; k < all.gaps.size(); ++k)
       expected += all.fractions[k] * (all.gaps[k] - closed);
-    EXPECT_NEAR(mean_excess / expected, 1., 1e-3); // of bins
+    EXPECT_NEAR(mean_excess / expected, 1., 1e-3); // for the bins
   }
 
   TEST(Persson, PressureFallsExponentiallyWithTheMeanGap)
@@ -273,8 +274,8 @@ namespace
     const std::clock_t  start = std::clock();
     const PerssonTheory theory(model_spectrum(rough(1e8)), 1.);
     const double        h = rms_height(theory.spectrum());
-    // Height and slope come from the two ends of the spectrum: gaps in contact are
-    // those of the shortest waves.
+    // The rms height comes from the long waves, the rms slope from the short ones. A load
+    // in units of the slope presses the long waves harder, which leaves smaller gaps.
     const PerssonState state = theory.solve(.01);
     EXPECT_NEAR(state.contact_area, std::erf(std::sqrt(2.) * .01), 1e-9);
     EXPECT_NEAR(state.mean_gap / h, .18669, 1e-4);
