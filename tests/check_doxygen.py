@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Check that the headers are documented: check_doxygen.py DOXYFILE
 
-Doxygen runs without writing pages; each of its warnings is a failure, but for members whose
-name says it all: fields, aliases, getters, constructors, operators, overrides, and
-bind(), check() of parameters. Status 77 (a skipped test) where doxygen is not installed.
+Doxygen runs without writing pages. Each of its warnings is a failure, except for undocumented
+members whose name is enough: fields, aliases, getters, constructors, operators, overrides, and
+bind() and check() of parameters. Status 77 (a skipped test) where doxygen is not installed.
 """
 import re
 import shutil
@@ -16,7 +16,7 @@ UNDOCUMENTED = re.compile(r"Member (.*) \((\w+)\) of (\w+) (.+) is not documente
 
 
 def speaks_for_itself(warning):
-    """Whether this is a missing docstring that nobody misses."""
+    """Whether a warning is about a member that needs no docstring."""
     match = UNDOCUMENTED.search(warning)
     if not match:
         return False
@@ -28,7 +28,7 @@ def speaks_for_itself(warning):
     name = signature.split("(")[0]
     return (name.startswith("operator") or name in ("bind", "check")
             or name == re.sub(r"<.*", "", scope_name).split("::")[-1]
-            or signature.endswith(" override") or name[0].isupper()  # or inherited
+            or signature.endswith(" override") or name[0].isupper()  # inherited
             or re.search(r"\(\)( const)?( override)?( ?=0)?$", signature) is not None)
 
 
@@ -39,7 +39,7 @@ def warnings_of(doxyfile):
         settings += f"\nOUTPUT_DIRECTORY = {folder}\nGENERATE_HTML = NO\nGENERATE_XML = YES\n"
         process = subprocess.run(["doxygen", "-"], input=settings, text=True, check=True,
                                  capture_output=True)
-        # A warning that goes on in further lines lists candidates; its first line is enough.
+        # Further lines of a warning only list candidates.
         return sorted({line for line in process.stderr.splitlines() if "warning:" in line
                        or "error:" in line})
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What strait must refuse before it works, and what it must not be hurt by.
+"""Check what strait must refuse before any work, and what must do it no harm.
 
     check_guards.py --program P --folder F [TEST ...]
 """
@@ -72,7 +72,7 @@ class Guards(unittest.TestCase):
             self.assertNotEqual(file.read(), before)
 
     def test_scenes_beyond_the_model_say_so(self):
-        """The scenes without the effects that they call for, on a coarser grid."""
+        """Two scenes of prm, without effects that they need, on a coarser grid."""
         for name, cut_off, words, without in (
                 ("metal_gasket_helium", 1.25e-5, {"plastic", "rarefied", "rarefied-throat"},
                  ("--set", "Fluid/Rarefaction=none", "--set", "Contact/Yielding=none")),

@@ -42,7 +42,7 @@ def main():
     leak = run(os.path.join(example, "flow"))
     lower, upper = map(float, re.search(r"between (\S+) and (\S+)", leak).groups())
     exact = float(re.search(r"exact\s+(\S+)", leak).group(1))
-    # The bounds are those of the interpolated gap, which is off by less than 1e-3.
+    # The bounds are those of the interpolated gap, whose error is below 1e-3.
     if not lower * (1 - 1e-3) < exact < upper * (1 + 1e-3) or upper > 1.01 * lower:
         sys.exit(f"FAILED: the bracket is wrong: {leak}")
     shutil.rmtree(folder)

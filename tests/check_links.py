@@ -3,7 +3,7 @@
 """Check the links of the manual, README.md and doc/*.md: check_links.py PROJECT
 
 Every relative link and image exists, every anchor is a heading, each picture of doc/images is
-shown, and each page can be reached from README.md.
+shown, each page can be reached from README.md, and no line ends with a blank.
 """
 import re
 import sys

@@ -4,7 +4,7 @@
 
     check_manual.py commands PROJECT PROGRAM FOLDER
     check_manual.py parameters PROJECT PROGRAM       is doc/parameters.md up to date?
-    check_manual.py columns PROJECT PROGRAM          are the tables of doc/results.md?
+    check_manual.py columns PROJECT PROGRAM          and the tables of doc/results.md?
 
 A block of commands is fenced with ```sh, and a comment before it says what to do with it:
 
@@ -13,12 +13,12 @@ A block of commands is fenced with ```sh, and a comment before it says what to d
     <!-- manual: dry-run -->                  the same with --dry-run
     <!-- manual: skip: reason -->             leave it
 
-An indented block, with which a page tells how a table was made, is run with --dry-run if
-nothing is said; a line that begins with … goes on the command before.
+An indented block, which tells how a table was made, is run with --dry-run if there is no
+comment; a line that begins with … continues the command before it.
 
-Everything happens in a copy of the project in FOLDER, where strait is PROGRAM, and
-tools/setup has nothing to do. The blocks of a page run one after the other, each with
-`bash -e`, and see what those before have written.
+Everything happens in a copy of the project in FOLDER, where build/strait runs PROGRAM and
+tools/setup does nothing. The blocks of a page run one after the other, each with `bash -e`,
+and see the files that those before have written.
 """
 import difflib
 import os
@@ -37,7 +37,7 @@ COMMAND = re.compile(r"\s*(…|(STRAIT_\w+=\S+ )*(tools/|build/|examples/|cmake 
 
 
 class Block:
-    """Some commands, where they stand, and what is to be done with them."""
+    """A block of commands, its place in the manual, and what is to be done with it."""
 
     def __init__(self, page, line, lines, fence, tag):
         self.place = f"{page.name}:{line}"
@@ -114,7 +114,7 @@ def make_copy(project, folder, package):
 
 
 def install_program(program, folder, arguments):
-    """build/strait: the program with further arguments wherever a scene is run."""
+    """Make build/strait a call of the program, with more arguments wherever it runs a scene."""
     wrapper = folder / "build" / "strait"
     wrapper.write_text(f"""#!/bin/sh
 case "$*" in
@@ -126,7 +126,7 @@ esac
 
 
 def run(block, program, folder):
-    """What went wrong, or None."""
+    """Run a block; return what went wrong, or None."""
     install_program(program, folder, block.arguments)
     with subprocess.Popen(["bash", "-e", "-o", "pipefail", "-c", block.text], cwd=folder,
                           text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -186,7 +186,7 @@ def check_parameters(project, program):
 
 
 def check_columns(project, program):
-    """Each section that is printed stands in the page, at the begin of its own there."""
+    """Each printed section must be the beginning of that with the same heading in the page."""
     page = (project / "doc" / "results.md").read_text("utf-8").splitlines()
     printed = printed_by(program, "--columns")
     begins = [k for k, line in enumerate(printed) if line.startswith("## ")]

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Check the manual as HTML: check_pages.py PROJECT FOLDER [PYTHON_PACKAGE]
 
-Sphinx makes it without a warning. Every reference of a page leads somewhere, every parameter
-has an anchor, tables and formulas came out as such, and nothing is loaded from elsewhere. In
-headless Chromium, where there is one, the search finds a parameter and no page is wider than a
-phone. Status 77 (a skipped test) where Sphinx is not installed or, after all the rest, where
-there is no Chromium.
+Sphinx builds it without a warning. Every reference of a page leads somewhere, every parameter
+has an anchor, tables and formulas are rendered as such, and nothing is loaded from elsewhere. In
+headless Chromium, if there is one, the search finds a parameter and no page is wider than a
+phone. Status 77 (a skipped test) if Sphinx is not installed or, after all the rest, if there is
+no Chromium.
 """
 import importlib.util
 import os
@@ -19,7 +19,7 @@ from pathlib import Path
 
 NEEDED = {"sphinx": "python3-sphinx", "myst_parser": "python3-myst-parser", "furo": "furo"}
 PHONE = 400  # pixels
-# Frames as wide as a phone with all pages, one after the other, which say how wide they are.
+# A frame as wide as a phone shows all pages, one after the other, which tell it their widths.
 FRAMES = f"""<!DOCTYPE html><title>0</title><iframe width={PHONE} height=800></iframe><script>
 const pages = PAGES, frame = document.querySelector("iframe"), wide = [];
 const next = () => {{ if (pages.length) frame.src = pages.shift();
@@ -34,7 +34,7 @@ TELL = """<script>addEventListener("load", () => parent.postMessage(
 
 
 class Page(HTMLParser):
-    """What a rendered page refers to and loads, and what can be referred to."""
+    """What a rendered page refers to and loads, and the anchors that it has."""
 
     def __init__(self, path):
         super().__init__()
@@ -61,7 +61,7 @@ class Page(HTMLParser):
 
 
 def make(project, folder, package):
-    """What Sphinx complains of."""
+    """Build the pages with Sphinx, and return its complaints."""
     shutil.rmtree(folder, ignore_errors=True)
     environment = {**os.environ, "STRAIT_PYTHON_PACKAGE": package, "STRAIT_VERSION": "test"}
     result = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going",
@@ -107,12 +107,12 @@ def rows_below(heading, text):
 
 
 def anchor_of(name):
-    """Small letters and digits, joined by hyphens, as docutils makes identifiers."""
+    """The identifier that docutils makes: small letters and digits, joined by hyphens."""
     return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
 
 
 def check_contents(project, pages, html):
-    """Tables, formulas and anchors of parameters are as many as in the sources."""
+    """Check that pages have all tables and anchors of parameters, and that there are formulas."""
     problems = []
     for source in [project / "README.md", *(project / "doc").glob("*.md")]:
         text = source.read_text("utf-8")

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Small twins of the scenes of prm/paper: each fails if what the page says of its figure does.
+"""Run small versions of the scenes of prm/paper, and check what the manual says of the figures.
 
     check_paper.py --program P --scenes prm/paper --folder F [FIGURE ...]
 
-A twin is the scene itself on fewer points, with fewer loads and fewer scales of the surface;
-what it claims is what doc/paper.md, doc/theory.md and doc/adhesion.md claim of the whole.
+A small version is the scene itself on fewer points, with fewer loads and fewer scales of the
+surface. What is checked, and the expected numbers, are those of doc/paper.md, doc/closing.md,
+doc/theory.md and doc/adhesion.md for the full scenes.
 """
 import argparse
 import math
@@ -45,7 +46,7 @@ class Paper(unittest.TestCase):
         for parameter, value in overrides.items():
             command += ["--set", f"{parameter}={value}"]
         done = subprocess.run(command, capture_output=True, text=True, timeout=250, check=False)
-        # 1 marks a step that is not as accurate as asked for.
+        # 1: some step is not as accurate as asked for.
         self.assertIn(done.returncode, (0, 1), done.stderr)
         return output
 
@@ -58,7 +59,7 @@ class Paper(unittest.TestCase):
         self.assertGreater(done.stdout.count("exit status 0"), 30)
 
     def by_reduced_load(self, folder, slip_length=None):
-        """The rows of leakage.csv with a reduced load, by that."""
+        """The rows of leakage.csv that have a reduced load, by this load."""
         return {round(row["reduced_load"], 6): row for row in read(folder, "leakage")
                 if row["reduced_load"] != ""
                 and slip_length in (None, row.get("slip_length"))}
@@ -89,7 +90,7 @@ class Paper(unittest.TestCase):
 
     def test_saddle_triangular(self):
         self.saddle("saddle_triangular", "240, 416", 3.87382, 3.91, 1.35)
-        # With windows on half of these points, of doc/closing.md.
+        # With windows, on half as many points each way, as in doc/closing.md.
         folder = self.run_scene("saddle_triangular", {
             "Contact/Grid points": "120, 208", "Contact/Zoom/Enabled": "true",
             "Load programme/Pressures": "", "Load programme/Threshold tolerance": 1e-4,
@@ -120,7 +121,7 @@ class Paper(unittest.TestCase):
         self.between(3., self.exponent(self.by_reduced_load(folder), .1, .05), 4.2)
 
     def test_fig1_full(self):
-        """There are ever more constrictions on the way, and ever fewer that matter."""
+        """Near the threshold there are more constrictions on the way, and fewer that matter."""
         folder = self.run_scene("fig1_full", {
             "Contact/Grid points": 256, "Surface/Short cut-off wavelength": .125,
             "Load programme/Pressures": "", "Load programme/Reduced loads": "0.7, 0.02",
@@ -131,7 +132,7 @@ class Paper(unittest.TestCase):
         self.assertLessEqual(near["constrictions_for_90_percent"], 2)
 
     def test_fig1_seeds(self):
-        """Gaps of throats close as a saddle's does; near the threshold there is one."""
+        """The gap of a throat closes like that of a saddle; near the threshold there is one."""
         folder = self.run_scene("fig1_seeds", {
             **SMALL, "Realisations/Seeds": "2, 3, 4", "Load programme/Pressures": "",
             "Load programme/Reduced loads": "0.7, 0.3, 0.05, 0.01"})
@@ -173,7 +174,7 @@ class Paper(unittest.TestCase):
         self.between(3.2, self.exponent(rows, .05, .01), 3.8)
 
     def test_fig2b(self):
-        """Many scales: from 0.7 of the critical load on the fall is the same."""
+        """With many scales the curves coincide beyond about 0.7 of the critical load."""
         curves = []
         for number, cut_off in enumerate((5e-6, 5e-8)):
             folder = self.run_scene("fig2b", {"Surface/Short cut-off wavelength": cut_off},
@@ -185,7 +186,7 @@ class Paper(unittest.TestCase):
             self.assertAlmostEqual(few / many, 1., delta=.07)
 
     def test_fig3(self):
-        """The exponent becomes 3 with a negative slip length, and far away nothing changes."""
+        """With a negative slip length the exponent becomes 3; far away nothing changes."""
         lengths = (0., -1e-3)
         folder = self.run_scene("fig3", {
             "Contact/Grid points": 128, "Surface/Short cut-off wavelength": 5.,
@@ -200,7 +201,7 @@ class Paper(unittest.TestCase):
         self.assertAlmostEqual(exponents[1], 3., delta=.1)
 
     def test_fig4_random_adhesive(self):
-        """Adhesion of short range makes the seal close earlier and the exponent smaller."""
+        """Adhesion of short range reduces the critical load and the exponent."""
         loads = {"Contact/Grid points": 128, "Surface/Short cut-off wavelength": .25,
                  "Load programme/Pressures": .02, "Load programme/Threshold tolerance": 1e-3,
                  "Load programme/Reduced loads": "0.3, 0.1"}
@@ -217,7 +218,8 @@ class Paper(unittest.TestCase):
         self.assertLess(results[1][1], results[.25][1] - 1.)
 
     def test_fig5_isolated_adhesive(self):
-        """Long range is like none; with a short one the saddle jumps, and opens later."""
+        """Adhesion of long range is like none; with a short one the saddle jumps, and opens under
+        less load than it closes."""
         common = {"Contact/Grid points": 128, "Contact/Tolerance": 1e-7,
                   "Fluid/Target accuracy": .02, "Load programme/Threshold tolerance": 1e-4,
                   "Load programme/Reduced loads": "0.1, 0.05, 0.01"}
@@ -235,7 +237,8 @@ class Paper(unittest.TestCase):
         self.assertAlmostEqual(self.critical_load(opening), .995, delta=.01)
 
     def test_fig4_seeds(self):
-        """Each surface leaks at its threshold, and opens under less load than it closes."""
+        """Exponents fall to about one at the threshold; surfaces open under less load than they
+        close."""
         common = {"Contact/Grid points": 128, "Surface/Short cut-off wavelength": .25,
                   "Contact/Adhesion/Tabor number": 1.5, "Realisations/Seeds": "1, 2",
                   "Load programme/Pressures": .02, "Load programme/Threshold tolerance": 3e-3}
@@ -254,7 +257,7 @@ class Paper(unittest.TestCase):
                 .97 * self.critical_load(one))
 
     def test_fig5_exponent(self):
-        """The local exponent falls through one; less what leaks at the jump it is about one."""
+        """The local exponent falls below one; without the leak rate at the jump it is 1 to 1.5."""
         folder = self.run_scene("fig5_exponent", {
             "Contact/Grid points": 128, "Fluid/Target accuracy": .02,
             "Load programme/Reduced loads": "0.2, 0.1, 0.02, 0.001"})
@@ -266,7 +269,7 @@ class Paper(unittest.TestCase):
                      / math.log(10.), 1.5)
 
     def test_theory_crossover(self):
-        """The corrected effective medium turns where the leak rate does, within a tenth."""
+        """The crossover of the corrected effective medium is that of the leak rate, to a tenth."""
         folder = self.run_scene("theory_crossover", {
             "Contact/Grid points": 256, "Surface/Short cut-off wavelength": .0625,
             "Realisations/Seeds": "2, 3", "Load programme/Pressures": ""})
@@ -275,7 +278,7 @@ class Paper(unittest.TestCase):
                                    delta=.1)
 
     def test_theory_area(self):
-        """Persson's area is too small by a fifth, the mean gap right within a tenth."""
+        """Persson's contact area is too small by about a fifth, his mean gap right to a tenth."""
         folder = self.run_scene("theory_area", {
             "Contact/Grid points": 256, "Surface/Short cut-off wavelength": .0625,
             "Load programme/Pressures": "0.05, 0.1, 0.2"})

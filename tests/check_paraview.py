@@ -4,10 +4,10 @@
 
     check_paraview.py PROGRAM MPIRUN RANKS FOLDER
 
-flow-STEP.pvtu through VTK's own reader; fields-STEP.xmf, for which Debian's VTK has none, by
-its XML, with the data sets that it names from the HDF5 file. Both must agree with each
-other and with leakage.csv. Status 77 (a skipped test) where python3-vtk9 or python3-h5py is
-not installed.
+VTK reads flow-STEP.pvtu. Debian's VTK has no reader for fields-STEP.xmf: its XML is parsed,
+and the data sets that it names are read from the HDF5 file. Both must agree with each other
+and with leakage.csv. Status 77 (a skipped test) where python3-vtk9 or python3-h5py is not
+installed.
 """
 import csv
 import shutil
@@ -63,7 +63,7 @@ def same(a, b):
 
 
 def read_flow(folder, step):
-    """Corners, pressures there (one row a cell) and arrays of the cells."""
+    """The corners of the cells, one row a cell, and the values of all arrays there."""
     reader = vtkXMLPUnstructuredGridReader()
     reader.SetFileName(str(folder / f"flow-{step}.pvtu"))
     reader.Update()
@@ -96,7 +96,7 @@ def check_flow(folder, row):
     check(leaks.any(), "nothing leaks")
     check((arrays["mean_conductivity"][leaks] > 0).all(), "a cell leaks without conductivity")
     pressure = arrays["fluid_pressure"][leaks]
-    # Where next to nothing flows the elements know no maximum principle.
+    # Where almost nothing flows, the elements do not satisfy the maximum principle.
     conductivity = arrays["mean_conductivity"][leaks, 0]
     channel = pressure[conductivity > 1e-4 * conductivity.max()]
     margin = 1e-6 * (INLET - OUTLET)
@@ -107,7 +107,7 @@ def check_flow(folder, row):
         at_end = pressure[np.abs(points[leaks][:, :, 0] - x) < 1e-9]
         check(len(at_end) and np.allclose(at_end, expected, rtol=1e-6),
               f"at x = {x} the pressure is not {expected}")
-    # The flux along x, added up over all cells, is Q Lx but for the variation of K in them.
+    # The flux along x, summed over all cells, is Q Lx but for the variation of K in them.
     drop = np.empty(len(pressure))
     for k, (corners, values) in enumerate(zip(points[leaks], pressure)):
         right = corners[:, 0] > corners[:, 0].mean()
@@ -123,7 +123,7 @@ def numbers(text):
 
 
 def check_grid(folder, row):
-    """The data sets of fields-STEP.h5 where fields-STEP.xmf puts them."""
+    """Check the data sets of fields-STEP.h5 that fields-STEP.xmf names, and return them."""
     step = row["step"]
     root = xml.etree.ElementTree.parse(folder / f"fields-{step}.xmf").getroot()
     check(root.tag == "Xdmf" and root.get("Version") == "2.0", "no XDMF of version 2")
@@ -172,7 +172,7 @@ def main():
             check(not (folder / f"flow-{row['step']}.pvtu").exists(), "a flow in no channel")
             continue
         leaks, points = check_flow(folder, row)
-        # A leaking cell within a grid cell has an open corner of that in the channel.
+        # Of a grid cell with a leaking cell in it, a corner is in the channel.
         in_channel = fields["labels"] == 4
         small = leaks & (np.ptp(points[:, :, 0], axis=1) <= LX / NX * 1.001)
         centres = points[small].mean(1)

@@ -4,9 +4,9 @@
 
     check_report.py PROGRAM FOLDER
 
-Runs a small seal, changes it without new patches, and looks at the pages: all that was promised
-is there, and nothing is loaded. Status 77 (a skipped test), after all that, where there is no
-Chromium to click, to look and to print with.
+Runs a small seal, changes it without new patches, and checks the pages: all expected parts are
+there, and nothing is loaded. Status 77 (a skipped test), after all that, where there is no Chromium
+to click and print with.
 """
 import csv
 import re
@@ -83,7 +83,7 @@ def rows(path):
 
 
 class Links(HTMLParser):
-    """All that a page refers to, and the tags that are still open at its end."""
+    """Everything that a page refers to, and the tags that are still open at its end."""
     VOID = {"meta", "img", "br", "wbr", "link"}
 
     def __init__(self):
@@ -101,7 +101,7 @@ class Links(HTMLParser):
 
 
 def check_page(path):
-    """A well-formed page whose links lead nowhere but into itself."""
+    """Check that a page is well-formed and refers to nothing but itself; return its text."""
     text = path.read_text(encoding="utf-8")
     links = Links()
     links.feed(text)
@@ -114,12 +114,12 @@ def check_page(path):
 
 
 def check_seal(program, scene, folder):
-    """Numbers of the seal against those of its patches, and again with a wider contact."""
+    """Check the leak rate of the seal against its patches, and again with a wider contact."""
     said = run(program, scene, "--output", folder)
     if "comes from" not in said:
         fail(f"nothing is said of what dominates: {said}")
     before = rows(folder / "seal.csv")
-    loads = [float(row["pressure"]) for row in before]  # Hertz needs more than the others have
+    loads = [float(row["pressure"]) for row in before]  # means whose profile the patches cover
     if len(loads) != 3 or loads[1] != 6e4 or not 3e4 < loads[0] < 6e4 < loads[2] < 1.2e5:
         fail(f"seal.csv has {before}")
     before = before[1:2]
@@ -144,7 +144,7 @@ def check_seal(program, scene, folder):
 
 
 def check_in_browser(browser, page, folder):
-    """That its tables sort, that nothing is complained of, and that it prints on few pages."""
+    """Check that tables sort, the console has no complaints, and few pages are printed."""
     options = [browser, "--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
                f"--user-data-dir={folder / 'profile'}"]
     clicked = folder / "clicked.html"

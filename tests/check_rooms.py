@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Check that the house is in order: check_rooms.py PROJECT_FOLDER [--one-user]
+"""Check how rooms depend on each other: check_rooms.py PROJECT_FOLDER [--one-user]
 
-- A file includes only headers of its own room and of the rooms before it.
+A room is a folder of include/strait with the folder of source of the same name.
+
+- A file includes only headers of its own room and of rooms before it in the list.
 - The rooms that must compile quickly do not include deal.II.
-- Each source has its header in the same place, unless several sources share one, a
-  list of alternatives; every file names its licence in the first line.
-- No header with its source includes itself round a corner.
+- Each source has a header in the same place, or includes one of its room that several
+  sources share. Every file names its licence in the first line.
+- No header includes itself, not even through other headers and their sources.
 
 The option --one-user lists the headers that only one other file of the library needs;
-many of them would be better off inside their user.
+many of them would be better off inside that file.
 """
 import os
 import re
@@ -19,7 +21,7 @@ ROOMS = ["base", "spectral", "surface", "contact", "percolation",
          "interface", "flow", "theory", "seal", "run"]
 WITHOUT_DEAL_II = ["base", "spectral", "surface", "contact", "percolation",
                    "theory"]
-# What a header declares side by side may have a source each.
+# Headers whose declarations may have a source each.
 SHARED_HEADERS = ("base/memory.h", "base/scene.h",
                   "surface/readers/height_map.h", "surface/map_processing.h",
                   "contact/gap_optimisation.h", "contact/optimisers.h",
@@ -94,7 +96,7 @@ def check_guard(project):
 
 
 def units_of(project):
-    """Which units a unit includes; a unit is a header with its source, without ending."""
+    """The units that each unit includes: headers with their sources, without ending."""
     units = {}
     for folder, ending in (("include/strait", ".h"), ("source", ".cc")):
         top = os.path.join(project, folder)
@@ -108,7 +110,7 @@ def units_of(project):
 
 
 def cycles_of(graph):
-    """The largest sets of nodes that all reach each other (Tarjan's algorithm)."""
+    """Strongly connected components of two or more nodes (Tarjan's algorithm)."""
     order, lowest, stack, cycles = {}, {}, [], []
 
     def visit(node):
@@ -137,7 +139,7 @@ def check_cycles(project):
 
 
 def headers_with_one_user(project):
-    """Headers that but one file of the library includes, apart from their sources."""
+    """Headers that only one file of the library includes, apart from their sources."""
     users = {}
     for folder, ending in (("include", ".h"), ("source", ".cc")):
         for path in files_of(os.path.join(project, folder), ending):

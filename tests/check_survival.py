@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stop, kill and resume runs of strait; their tables must be those of runs left alone.
+"""Stop, kill and resume runs of strait; their tables must be those of undisturbed runs.
 
     check_survival.py --program P --mpirun M --folder F [TEST ...]
 
@@ -28,8 +28,8 @@ import compare_tables  # noqa: E402
 
 SAME = 1e-9
 N_KILLS = 20
-# Other ranks, other last digits: of the contact little more, but now and then a cell
-# is refined that was not, and counts change.
+# On another number of ranks the last digits differ. The contact changes hardly more, but
+# now and then another cell is refined, and counts change.
 ACROSS_RANKS = {name: 1e-3 for name in (
     "leak_rate", "leak_rate_lower", "leak_rate_upper", "effective_gap", "cells",
     "unknowns")}
@@ -148,7 +148,7 @@ OPTIONS = None
 
 
 def n_rows(folder):
-    """Rows of the table so far."""
+    """The number of rows of the table so far."""
     try:
         with open(os.path.join(folder, "leakage.csv"), encoding="utf-8") as file:
             return max(0, sum(1 for line in file if line.endswith("\n")) - 1)
@@ -157,7 +157,7 @@ def n_rows(folder):
 
 
 def contents(folder):
-    """All that is in a folder, by name."""
+    """The contents of all files in a folder, by name."""
     found = {}
     for path in glob.glob(os.path.join(folder, "**"), recursive=True):
         if os.path.isfile(path):
@@ -187,7 +187,7 @@ class Survival(unittest.TestCase):
         return subprocess.Popen(command, text=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, **how)
 
     def run_to_end(self, *arguments, status=0, **how):
-        """The message of a run that ends by itself."""
+        """Let a run end by itself; return what it prints on standard error."""
         with self.start(*arguments, **how) as process:
             message = process.communicate(timeout=120)[1]
         if status is not None:
@@ -197,7 +197,7 @@ class Survival(unittest.TestCase):
     references = {}
 
     def reference(self, scene):
-        """The folder of a run that was left alone."""
+        """The folder of an undisturbed run of the same scene."""
         with open(scene, encoding="utf-8") as file:
             text = file.read()
         if text not in self.references:
@@ -210,7 +210,7 @@ class Survival(unittest.TestCase):
             time.sleep(0.002)
 
     def wait_for_checkpoint(self, process, output, number):
-        """Until the step of that row is complete and the next one has begun."""
+        """Wait until the step of this row is complete and the next one has begun."""
         paths = [os.path.join(output, name) for name in ("leakage.csv", "checkpoint")]
         while process.poll() is None:
             try:
@@ -232,7 +232,7 @@ class Survival(unittest.TestCase):
             problems = compare_tables.compare(path, os.path.join(output, name),
                                               default_rtol=SAME)
             self.assertEqual(problems, [], name)
-        # The record tells of all steps, those before a stop too.
+        # The record covers all steps, also those before a stop.
         if os.path.exists(os.path.join(reference, "run.json")):
             # An ensemble has none of its own.
             expected, found = map(self.error_budget, (reference, output))
@@ -243,7 +243,7 @@ class Survival(unittest.TestCase):
                     same = (one[name] is other[name] if None in (one[name], other[name])
                             else math.isclose(one[name], other[name], rel_tol=SAME))
                     self.assertTrue(same, f"{name}: {one[name]} and {other[name]}")
-        # Nothing of what was written aside is left.
+        # No temporary files are left.
         self.assertEqual(glob.glob(os.path.join(output, "*.new")), [])
 
     def test_killed_at_random(self):
@@ -281,16 +281,16 @@ class Survival(unittest.TestCase):
         self.assertEqual(contents(output), before)
 
     def stopped_and_resumed(self, text, rows, number=signal.SIGTERM, more=()):
-        """Stop a run after each of the numbers of rows, resume it with more options; compare it.
+        """Stop a run after each of these numbers of rows, end it with more options; compare it.
 
-        Many steps shall remain: on a busy machine some pass before the signal arrives.
+        Many steps should remain, as on a busy machine some pass before the signal arrives.
         """
         scene = self.scene(text)
         reference = self.reference(scene)
         output = self.path("stopped")
         options = []
         for n in rows:
-            # A row of its own shows that the process is ready for a signal.
+            # A new row shows that the process is ready for a signal.
             n = max(n, n_rows(output) + 1)
             if options and n >= n_rows(reference):
                 break
@@ -315,7 +315,7 @@ class Survival(unittest.TestCase):
 
     def test_stopped_after_a_pull_off(self):
         self.stopped_and_resumed(PARTING, [3, 5])
-        self.assertEqual(n_rows(self.path("stopped")), 10)  # of 12: two are left out
+        self.assertEqual(n_rows(self.path("stopped")), 10)  # of 12: none at -0.5
 
     def test_stopped_with_matched_adhesion(self):
         self.stopped_and_resumed(MATCHED, [1])
@@ -323,7 +323,7 @@ class Survival(unittest.TestCase):
             self.assertEqual(file.read().count("surface energy is sought"), 1)
 
     def test_stopped_while_yielding(self):
-        # Every second point keeps indentations of its own.
+        # The grid of every second point, for the errors, keeps indentations of its own.
         self.stopped_and_resumed(YIELDING + "subsection Output\n  set Error budget = true\nend\n",
                                  [1, 4])
 
@@ -346,8 +346,8 @@ class Survival(unittest.TestCase):
         self.stopped_and_resumed(SLOWLY_COUPLED, [1, 2], signal.SIGINT)
 
     def test_stopped_with_trapped_fluid(self):
-        # Every row owes its fluid to those before; between the second and the last some
-        # is pressed together that no reservoir reaches.
+        # The fluid of a row depends on the rows before: between the second and the last one
+        # some fluid is compressed that no reservoir reaches.
         trapped = COUPLED.replace("Enabled = true", "Enabled = true\n    set Trapped fluid = "
                                   "compressible\n    set Bulk modulus = 1")
         trapped = trapped.replace("0.05, 0.053, 0.056", "0.2, 0.3, 0.4, 0.3, 0.2")
@@ -355,7 +355,7 @@ class Survival(unittest.TestCase):
                                                  "subsection Surface\n  set Seed = 3"), [2])
 
     def test_ended_by_the_second_interrupt(self):
-        """On a terminal, whose last line is that of the step that goes on."""
+        """On a terminal, whose last line shows the current step."""
         scene = self.scene(LONG)
         screen, terminal = pty.openpty()
         termios.tcsetwinsize(terminal, (24, 80))
@@ -382,7 +382,7 @@ class Survival(unittest.TestCase):
         os.close(screen)
 
     def wait_for_probes(self, process, output, number):
-        """Until the checkpoint was written anew that many times."""
+        """Wait until the checkpoint has been rewritten this many times."""
         path = os.path.join(output, "checkpoint")
         last = None
         while process.poll() is None and number >= 0:
@@ -427,7 +427,7 @@ class Survival(unittest.TestCase):
                 options = []
                 for how in (signal.SIGTERM, signal.SIGKILL):
                     with self.start(scene, output, *options) as process:
-                        if name == "both": # the second is the one that is stopped
+                        if name == "both": # stop in the second search
                             self.wait_for_log(process, output, "threshold: critical load")
                         self.wait_for_probes(process, output, 3)
                         process.send_signal(how)
@@ -444,7 +444,7 @@ class Survival(unittest.TestCase):
                 self.assert_same(self.path(name + "-reference"), output)
 
     def test_other_numbers_of_ranks(self):
-        # Where in its bracket a critical load lies hangs on the last digits of the gap.
+        # The place of a critical load in its bracket depends on the last digits of the gap.
         scene = self.scene(DRY.replace("Threshold tolerance = 1e-3", "Threshold tolerance = 1e-7"))
         reference = self.reference(scene)
         output = self.path("moved")
@@ -452,7 +452,7 @@ class Survival(unittest.TestCase):
         for ranks, rows in ((2, 2), (3, 4), (1, 6)):
             with self.start(scene, output, *options, ranks=ranks) as process:
                 self.wait_for_rows(process, output, rows)
-                # mpirun passes this one on and does not kill.
+                # mpirun passes this signal on and does not kill.
                 process.send_signal(signal.SIGUSR1)
                 message = process.communicate(timeout=60)[1]
             self.assertEqual(process.returncode, 3, message)
@@ -483,7 +483,7 @@ end
         shutil.copy(os.path.join(output, "realisation-1", "checkpoint"),
                     os.path.join(output, "realisation-2", "checkpoint"))
         self.assert_refused("had Surface/Seed = 1 where", scene, output)
-        self.run_to_end(scene, output)  # as it is done, it may be run again
+        self.run_to_end(scene, output)  # a complete run may be repeated
         self.assert_same(reference, output)
         for number in (1, 2, 3):
             name = f"realisation-{number}"
@@ -528,7 +528,7 @@ end
         self.assert_refused("is not a whole checkpoint", scene, output, ranks=2)
 
     def test_another_map(self):
-        """A map that is exchanged while an ensemble waits between two realisations."""
+        """No run goes on, or begins anew, with a map other than the one it began with."""
         heights = self.path("heights.txt")
         text = [" ".join(f"{math.cos(.4 * i) * math.sin(.4 * j + k):.6f}" for i in range(32))
                 for k in (0, 1) for j in range(32)]
@@ -561,7 +561,7 @@ end
         write(text[:32])
         self.run_to_end(scene, output, "--resume")
 
-        # The one that a run was stopped with may come back.
+        # Nor is a stopped run replaced, as its own map may come back.
         loads = ", ".join(f"{.01 + .0002 * k:.4f}" for k in range(500))
         scene = self.scene(of_map.replace("0.05", loads), "loads.prm")
         output = self.path("loads")
@@ -574,7 +574,7 @@ end
         self.assert_not_begun_anew(scene, output)
 
     def assert_kept_out(self, scene, output, running):
-        """No run gets into the folder of another, which waits meanwhile."""
+        """No run enters the folder of another one, which is paused meanwhile."""
         running.send_signal(signal.SIGSTOP)
         try:
             before = contents(output)
@@ -614,7 +614,7 @@ end
                 self.assert_same(reference, output)
 
     def test_full_disk(self):
-        """A file may not grow beyond a limit: of the checkpoint, then of the fields."""
+        """Files may not exceed a limit, which the checkpoint reaches, and then the fields."""
         scene = self.scene(DRY)
         reference = self.reference(scene)
         output = self.path("full")

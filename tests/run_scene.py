@@ -19,21 +19,20 @@ with SCENE/leakage.csv (the folder beside the scene).
 With --accept the table becomes the reference, whatever it was before; look at the
 difference before you commit it.
 
-robustness: the exit status and the messages must be as said.
+robustness: exit status, messages and table must be as the tags tell.
 
     # STATUS: 2             exit status, default 0
     # STDERR: regex         must be found on standard error; repeatable
     # STDOUT: regex         must be found on standard output; repeatable
     # COLUMN: leak_rate=0   each row of leakage.csv must have this value
     # RANGE: mean_gap=1..2  or one in this range
-    # NOTHING WRITTEN       the output folder must not have been made
+    # NOTHING WRITTEN       nothing may have been written to F
     # COMMAND: --frobnicate the whole command line, in place of the scene
 
 SCENE and OUTPUT in ARGS and COMMAND stand for the scene and the output folder.
-A scene with status 1 or 2 must print exactly one line on standard error for its
-user, without a stack of exceptions. Every row of leakage.csv must make sense: finite
-numbers, a contact fraction between 0 and 1, a leak rate within its bounds, and none
-where nothing percolates.
+A scene with an exit status other than 0 must print exactly one line on standard error.
+Every row of leakage.csv must make sense: finite numbers, a contact fraction between 0
+and 1, and a leak rate within its bounds, which is zero if and only if nothing percolates.
 """
 import argparse
 import csv
@@ -137,10 +136,10 @@ def check_columns(tags, rows):
 
 
 def check_sense(rows):
-    """What must hold in every row of every scene.
+    """Check what must hold in every row of every scene.
 
-    A sealed step has no worst constriction, and where the walls have lifted off there
-    is neither a gap nor a leak rate.
+    Numbers must be finite, except the worst constriction of a sealed step, and those of
+    a row where the walls have lifted off.
     """
     problems = []
     for number, row in enumerate(rows, start=1):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of check_rooms.py on small houses."""
+"""Tests of check_rooms.py on small projects."""
 import os
 import subprocess
 import sys

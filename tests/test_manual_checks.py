@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of check_links.py, check_pages.py, check_manual.py and check_doxygen.py: do they find
-mistakes?"""
+"""Tests that check_links.py, check_pages.py, check_manual.py and check_doxygen.py find
+mistakes."""
 import sys
 import tempfile
 import unittest
@@ -57,7 +57,7 @@ class Links(Pages):
 
 
 class Rendered(Pages):
-    """Pages as Sphinx leaves them."""
+    """Pages as Sphinx writes them."""
 
     def problems(self, body):
         self.write("doc/b.html", '<a href="#here" id="here">b</a>')

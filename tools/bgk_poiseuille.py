@@ -9,9 +9,10 @@ equation for the velocity (Cercignani and Daneri, J. Appl. Phys. 34, 3509, 1963)
     psi(x) = 1 + 1/sqrt(pi) * integral of T_-1(|x - y|) psi(y) dy over a gap of width delta,
     T_n(x) = integral of t^n exp(-t^2 - x/t) dt over t > 0,
 and Q_P = (integral of psi)/delta^2 - 1/delta. It is solved by Galerkin's method with
-panels that are constant and narrow at the walls, whose integrals are differences of T_1,
-and extrapolated twice. The table of source/interface/rarefied_gas.cc is its output, with
-panels = 10 up to delta = 2^-10, 90 up to 4 and 180 beyond.
+functions that are constant on panels, narrow ones at the walls; their integrals are
+differences of T_1. Q_P is extrapolated twice in the number of panels, which begins with
+10 up to delta = 2^-10, 90 up to 4 and 180 beyond. The table of
+source/interface/rarefied_gas.cc is the output of this script.
 """
 import sys
 
@@ -23,7 +24,7 @@ T = np.exp(LN_T)
 
 
 def t_1(x):
-    """T_1 at all numbers of an array."""
+    """T_1 at each number of an array."""
     flat = np.ravel(x)
     result = np.empty(flat.size)
     for part in np.array_split(np.arange(flat.size), max(1, flat.size // 4000)):
@@ -32,7 +33,7 @@ def t_1(x):
 
 
 def coefficient(delta, panels):
-    """Q_P with this number of panels; its error falls with their square."""
+    """Q_P with this number of panels; its error falls as the inverse square of that."""
     u = np.linspace(0.0, 1.0, panels + 1)
     ends = delta * u**3 * (10.0 - 15.0 * u + 6.0 * u * u)
     widths = np.diff(ends)
@@ -46,7 +47,7 @@ def coefficient(delta, panels):
 
 
 def extrapolated(delta, panels):
-    """Q_P from three numbers of panels."""
+    """Q_P, extrapolated from this number of panels, twice and four times as many."""
     coarse, middle, fine = (coefficient(delta, n * panels) for n in (1, 2, 4))
     first, second = (4.0 * middle - coarse) / 3.0, (4.0 * fine - middle) / 3.0
     return (16.0 * second - first) / 15.0

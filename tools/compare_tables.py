@@ -5,8 +5,8 @@
     compare_tables.py REFERENCE RESULT [--rtol COLUMN=VALUE ...] [--default-rtol VALUE]
 
 Numbers must agree within a relative tolerance, everything else exactly. There
-is no absolute tolerance: a leak rate of 1e-10 is a number like any other, and
-0 agrees with 0 only. Columns that end in _seconds are not compared. Exit
+is no absolute tolerance: a leak rate of 1e-10 is compared like any other number,
+and 0 agrees only with 0. Columns that end in _seconds are not compared. Exit
 status 1 if the tables differ; each difference is one line on standard output.
 """
 import argparse
@@ -39,7 +39,7 @@ def as_number(text):
 
 
 def cells_differ(expected, found, rtol):
-    """A description of the difference of two cells, or None."""
+    """A description of the difference between two cells, or None."""
     a, b = as_number(expected), as_number(found)
     if a is None or b is None:
         return None if expected == found else f"expected '{expected}', found '{found}'"
@@ -53,7 +53,7 @@ def cells_differ(expected, found, rtol):
 
 
 def compare(reference, result, rtol=None, default_rtol=DEFAULT_RTOL):
-    """All differences of two files, as a list of sentences."""
+    """All differences between two files, as a list of sentences."""
     rtol = rtol or {}
     expected_names, expected_rows = read_table(reference)
     names, rows = read_table(result)

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Exponents of leak rate and throat near the threshold, and the crossover of the leak rate.
 
-Of a run that looked for its threshold it writes fit.csv. Of several realisations it fills in what
-ensemble.csv leaves open and writes ensemble_summary.csv. doc/results.md defines the columns. Lines
-that begin with "warning: " say what does not serve. Exit status 1 with a sentence where something
-is missing.
+For a run that looked for its threshold, writes fit.csv. For several realisations, completes
+ensemble.csv and writes ensemble_summary.csv. doc/results.md defines the columns. Lines that begin
+with "warning: " tell which steps or results cannot be used. Exit status 1 with a sentence if
+something is missing.
 """
 import argparse
 import csv
@@ -24,32 +24,32 @@ except ImportError as missing:
     sys.exit(f"fit.py: the Python module {missing.name} is missing; "
              "install python3-numpy and python3-scipy.")
 
-# What is fitted: its member of the law of closing, and its exponent where an immobile layer of
-# fluid cuts the throat off while that is still wide and smooth.
+# What is fitted: its member of the law of closing, and its exponent if an immobile layer of fluid
+# (a negative slip length) closes the throat while that is still wide and smooth.
 QUANTITIES = {"leak_rate": ("leak_rate", 3.), "throat_gap": ("gap", 1.),
               "throat_length": ("length", 0.5), "throat_width": ("width", 0.5)}
-# Where slopes differ by more than this within a window, a single exponent describes the window,
-# not the threshold. At half the value, drifts that leave the first decimal of the exponent alone
-# would be warned of; at double, drifts that change it would pass.
+# If local exponents differ by more than this within a window, a single exponent describes the
+# window, not the threshold. Half of it would warn of drifts that do not change the first decimal of
+# the exponent; double of it would let drifts pass that do.
 SETTLED = 0.05
 FIT_COLUMNS = ("quantity", "slip_length", "kind", "from", "to", "exponent", "error", "points",
                "closing_law", "status")
 
 
 def warn(text):
-    """Tell the program, or who looks at the screen."""
+    """Print a warning, which the program passes on to its log."""
     print(f"warning: {text}")
 
 
 def joined(status):
-    """All words of several statuses."""
+    """All words of several statuses, joined by +; "ok" if there are none."""
     words = dict.fromkeys(word for text in status for word in text.split("+") if word != "ok")
     return "+".join(words) or "ok"
 
 
 def asked_for(folder):
-    """Up to which reduced load the scene wants exponents fitted; and whether the laws of closing
-    and of the crossover are of its kind: for a viscous fluid, and walls that do not attract."""
+    """The largest reduced load of fits, as the scene has it; and whether the laws of closing and of
+    the crossover apply, which are those of a viscous fluid between walls without adhesion."""
     scene = read_parameters(scene_in(folder))
     return (float(scene["Load programme/Largest reduced load of fits"]),
             scene.get("Fluid/Rarefaction", "none") == "none" and
@@ -57,8 +57,8 @@ def asked_for(folder):
 
 
 def samples_in(folder):
-    """What each step that has a reduced load contributes: one row a step, with zeros where a
-    quantity is not known."""
+    """The quantities at each step with a positive reduced load: one row a step, with zeros where a
+    quantity is unknown."""
     steps = read_table(folder / "leakage.csv")
     steps = steps.rows(steps["reduced_load"] > 0)
     throats = read_table(folder / "constrictions.csv")
@@ -79,40 +79,40 @@ def samples_in(folder):
 
 
 def converged(samples, quantity):
-    """Which rows of a quantity serve at all."""
+    """Which rows have a value of a quantity."""
     return samples[quantity] > 0
 
 
 def doubtless(samples, quantity):
-    """Which rows serve for exponents."""
+    """Which rows can be used for exponents: those without any doubt."""
     return converged(samples, quantity) & (samples["status"] == "ok")
 
 
 def resolved(samples, quantity):
-    """Which rows serve for the crossover: whose throat has enough grid points for a leak rate."""
+    """Which rows can be used for the crossover: those whose throat is not too coarse."""
     return converged(samples, quantity) & ~samples["is_coarse"]
 
 
 def local_slopes(samples, quantity):
-    """(Fit, status) of neighbouring rows."""
+    """(Fit, status) of each pair of neighbouring rows."""
     reduced = samples["reduced_load"]
     return [(fit_exponent(reduced[[i, j]], samples[quantity][[i, j]]),
              joined(samples["status"][[i, j]])) for i, j in neighbours(reduced)]
 
 
 def fit_up_to(largest, samples, quantity):
-    """The Fit to all rows without a doubt up to a reduced load, or None."""
+    """The Fit to all rows without any doubt up to a reduced load, or None."""
     rows = samples.rows(doubtless(samples, quantity) & within(samples["reduced_load"], (0, largest)))
     return fit_exponent(rows["reduced_load"], rows[quantity])
 
 
 def middle(fit):
-    """Of the window of a local exponent."""
+    """The geometric mean of the ends of a window."""
     return np.sqrt(fit.start * fit.end)
 
 
 def report(quantity, fit, slopes):
-    """Say what was fitted, and whether slopes within the window disagree."""
+    """Print a fit, and a warning if local exponents within its window disagree."""
     print(f"exponent of {quantity}: {fit.exponent:.3f} ± {fit.error:.3f} for {fit.start:.3g} <= "
           f"1 - L/L_c <= {fit.end:.3g} ({fit.points} points)")
     local = [fit.exponent, *(slope.exponent for slope, _ in slopes if slope.end <= fit.end)]
@@ -122,7 +122,7 @@ def report(quantity, fit, slopes):
 
 
 def fits_of(samples, largest, has_law):
-    """The rows of fit.csv; says what was fitted."""
+    """Yield the rows of fit.csv, and print the fits."""
     trusted = samples.rows(doubtless(samples, "leak_rate") & (samples["slip_length"] == 0))
     slopes = [fit for fit, _ in local_slopes(trusted, "leak_rate") if within(fit.end, (0, largest))]
     constant = closing_constant(np.array([middle(fit) for fit in slopes]),
@@ -142,8 +142,8 @@ def fits_of(samples, largest, has_law):
 
 
 def suffice(result, samples, window, serves):
-    """Whether two of the steps in a window have a leak rate that serves for a result, or all that
-    there are; and what is to be said of those that have none."""
+    """Whether at least two of the steps in a window, or all of them, have a leak rate that can be
+    used for a result; and a warning about the others, or None."""
     samples = samples.rows(within(samples["reduced_load"], window))
     used = serves(samples, "leak_rate")
     n_used, n_steps = np.count_nonzero(used), samples.n_rows
@@ -158,8 +158,8 @@ def suffice(result, samples, window, serves):
 
 
 def summary_of(samples, largest, thresholds, has_law):
-    """What ensemble.csv says of a run at the smallest slip length, with the words for its status
-    where a result is missing; and the warnings."""
+    """The entries of ensemble.csv for a run at the slip length nearest to zero; the words for its
+    status if a result is missing; and the warnings."""
     samples = samples.rows(nearest_slip(samples))
     result, words, warnings = {}, [], []
     for word, name, window, serves in (
@@ -202,12 +202,12 @@ def entry(value):
 
 
 def write(path, header, rows):
-    """A table of such entries."""
+    """Write a table of such entries."""
     write_table(path, header, ([entry(value) for value in row] for row in rows))
 
 
 def fit_run(folder, largest, has_law):
-    """Write fit.csv and say what is in it."""
+    """Write fit.csv, and print the fits and warnings."""
     samples = samples_in(folder)
     write(folder / "fit.csv", FIT_COLUMNS, fits_of(samples, largest, has_law))
     for warning in summary_of(samples, largest, read_table(folder / "threshold.csv"), has_law)[2]:
@@ -215,7 +215,7 @@ def fit_run(folder, largest, has_law):
 
 
 def fit_realisation(row, folder, largest, has_law):
-    """Fill in what fits say in a row of ensemble.csv; returns the crossover's reduced load."""
+    """Complete a row of ensemble.csv by the fits; return the reduced load of the crossover."""
     if row["status"] == "failed":
         return np.nan
     path = folder / f"realisation-{row['realisation']}"
@@ -228,14 +228,14 @@ def fit_realisation(row, folder, largest, has_law):
 
 
 def scatter_of(samples):
-    """The entries of ensemble_summary.csv after the name of a quantity."""
+    """A row of ensemble_summary.csv without the name: mean, scatter, number known and missing."""
     known = samples[np.isfinite(samples)]
     return (known.mean() if known.size else np.nan,
             known.std(ddof=1) if known.size > 1 else np.nan, known.size, samples.size - known.size)
 
 
 def fit_ensemble(folder, largest, has_law):
-    """Complete ensemble.csv, write ensemble_summary.csv and say what is not known."""
+    """Complete ensemble.csv, write ensemble_summary.csv and warn of what is unknown."""
     path = folder / "ensemble.csv"
     with open(path, newline="", encoding="utf-8") as file:
         reader = csv.DictReader(file)
@@ -267,7 +267,7 @@ def window(text):
 
 
 def main(arguments=None):
-    """Fit what the command line names and return the exit status."""
+    """Fit the folder of the command line and return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("folder", metavar="OUTPUT_DIR", type=pathlib.Path)
     parser.add_argument("--largest", type=window, metavar="REDUCED_LOAD",

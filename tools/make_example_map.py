@@ -3,11 +3,12 @@
 """Make prm/data/ground_surface.txt, the map of prm/measured_surface.prm.
 
     tools/make_example_map.py > prm/data/ground_surface.txt
-    tools/make_example_map.py 512 > large.txt     # with so many points a side
+    tools/make_example_map.py 512 > large.txt     # with this many points a side
 
 Not a measurement: a periodic, self-affine surface (H = 0.8, wavelengths from 8 grid
 spacings to the size of the map, of equal power above the roll-off wavelength of 64, rms
-slope 0.1) as a matrix below a header of units, heights in whole nanometres. Always the same.
+slope 0.1), as a matrix of heights in whole nanometres below a header with size and units. The map
+is the same each time.
 """
 import random
 import sys

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw the results of a run: leakage.png, one picture-STEP.png a load step, gaps.png,
-spectrum.png, or of several realisations ensemble.png and seal.png.
+"""Draw the results of a run: leakage.png, gaps.png, spectrum.png and a picture-STEP.png for each
+load step; or those of several realisations: ensemble.png and seal.png.
 
-Reads leakage.csv, fit.csv, spectrum.csv, fields-STEP.h5, picture-STEP.h5 or, of several
-realisations, ensemble.csv, seal.csv and the folders beside them; for the units on the axes, run.json: its entry "units" may name those of length,
-pressure, leak_rate and current; without it they are the scene's.
-Exit status 1 where the folder holds no results or a file could not be read or written; whatever
-else can be drawn is drawn.
+Reads the tables, fields-STEP.h5 and picture-STEP.h5 of the folder, and for several realisations
+also their folders. Units on the axes come from run.json, whose entry "units" may name those of
+length, pressure, leak_rate and current; without it the axes say "scene units".
+Exit status 1 if the folder holds no results or a file cannot be read or written; everything else is
+drawn nevertheless.
 """
 import argparse
 import pathlib
@@ -28,7 +28,7 @@ except ImportError as missing:
 
 
 def find_results(folder, only, steps):
-    """What to draw: (function, path) pairs; says which of the wanted files are missing."""
+    """What to draw: (function, path) pairs; prints which of the wanted files are missing."""
     pictures = numbered(folder, "picture-*.h5")
     table, ensemble = folder / "leakage.csv", folder / "ensemble.csv"
     if not (table.exists() or ensemble.exists() or pictures):

@@ -5,7 +5,7 @@
     plot_adhesion.py leakage PICTURE.png LABEL=FOLDER ...   leak rates against load and 1 - L/L_c
     plot_adhesion.py contact PICTURE.png LABEL=FOLDER ...   contact of the last fields of each
 
-Steps that were unloading are drawn dashed.
+Unloading branches are dashed.
 """
 import itertools
 import pathlib
@@ -22,7 +22,7 @@ from strait_results import read_table
 
 
 def draw_leakage(runs):
-    """Left: against the load; right: against the reduced load, with the slopes 69/20 and 1."""
+    """Leak rates, left against the load, right against the reduced load with slopes 69/20 and 1."""
     figure = Figure(figsize=(9, 4), layout="constrained")
     left, right = figure.subplots(1, 2)
     colours = dict.fromkeys(label.replace(" opening", "") for label, _ in runs)
@@ -57,7 +57,7 @@ def draw_leakage(runs):
 
 
 def draw_contact(runs):
-    """Contact (dark) of the last fields of each run."""
+    """The contact (dark) in the last fields of each run."""
     figure = Figure(figsize=(3.4 * len(runs), 3.8), layout="constrained")
     for axes, (label, folder) in zip(figure.subplots(1, len(runs), squeeze=False)[0], runs):
         with h5py.File(list(numbered(folder, "fields-*.h5").values())[-1]) as file:
@@ -70,7 +70,7 @@ def draw_contact(runs):
 
 
 def main(kind, picture, *runs):
-    """The script, with the command line's arguments."""
+    """Run the script with the arguments of the command line."""
     use_style()
     pairs = [(run.rpartition("=")[0], pathlib.Path(run.rpartition("=")[2])) for run in runs]
     {"leakage": draw_leakage, "contact": draw_contact}[kind](pairs).savefig(picture)

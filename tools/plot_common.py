@@ -18,13 +18,13 @@ COLOURS = (BLUE, GREEN, "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 
 
 def use_style():
-    """Our style alone: a user's own settings, TeX for one, could break the pictures."""
+    """Set this style alone: settings of the user, such as TeX, could break the pictures."""
     matplotlib.rcdefaults()
     matplotlib.rcParams.update(STYLE)
 
 
 def save(figure, path):
-    """The picture of a figure."""
+    """Write a figure to a PNG file."""
     with replacing(path) as partial:
         figure.savefig(partial, format="png")
 
@@ -35,13 +35,13 @@ def with_unit(text, name, units):
     return f"{text} ({unit})" if unit else text
 
 
-# (factor, name) of what reads better, by what the scene states.
+# (factor, name) of units that may read better, by the unit that the scene states.
 PREFIXES = {"m": ((1, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm")),
             "Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"), (1, "Pa"))}
 
 
 def readable(unit, values):
-    """The unit of PREFIXES in which most values lie between 1 and 1000, and what one of it is."""
+    """(factor, name) of the largest unit of PREFIXES in which the median is at least one."""
     sizes = np.abs(values[np.isfinite(values) & (values != 0)])
     if unit not in PREFIXES or not sizes.size:
         return 1, unit
@@ -51,8 +51,8 @@ def readable(unit, values):
 
 
 def label_axis(axis, text, name, units, largest):
-    """Label a linear axis that goes to @p largest, in a unit that makes that no tiny or huge
-    number where the unit of quantity @p name is of SI."""
+    """Label a linear axis that goes to @p largest, with a prefix of the unit of quantity @p name if
+    that would else be a tiny or a huge number and the unit is one of SI."""
     label = with_unit(text, name, units)
     factor, unit = readable((units or {}).get(name), np.array([largest]))
     if factor != 1 and not 0.1 <= largest < 1000:
@@ -62,14 +62,14 @@ def label_axis(axis, text, name, units, largest):
 
 
 def with_best_unit(value, unit):
-    """A number in the unit that reads best; without one, as it is."""
+    """A number with the unit that reads best; without a unit, as it is."""
     factor, unit = readable(unit, np.array([value])) if unit else (1, "")
     return f"{scientific(value / factor)} {unit}".rstrip()
 
 
 def wanted_leak_rate(folder, units):
-    """The first unit of Output/Leak rate units: what the scene's leak rate is to be multiplied
-    with, and all units with that in place of the scene's; 1, and these, if none is asked for."""
+    """The factor from the scene's leak rate to the first unit of Output/Leak rate units, and all
+    units with that one for the leak rate; 1 and the given units if none is asked for."""
     try:
         run = Run(folder)
         column = leak_rates(run.table)[1]
@@ -87,7 +87,7 @@ def scientific(value):
 
 
 def read_units(folder):
-    """The units named in run.json, of several realisations in the first one's; empty where it
+    """The units named in run.json, or for several realisations in that of the first; empty if it
     names none."""
     path = folder / "run.json"
     if not path.exists():

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """ensemble.png: the leak rates of all realisations superposed, and the scatter of their thresholds.
 
-Each curve is multiplied by a factor of its own: the mean of the logarithm over the reduced loads
-that all curves reach, up to 0.3, becomes that of the ensemble.
+Each curve is multiplied by a factor of its own, so that all have the same mean logarithm over the
+reduced loads, up to 0.3, that all of them reach.
 """
 import sys
 
@@ -20,9 +20,9 @@ QUANTITIES = (("critical_load", "Critical load", "pressure"),
 
 
 def read_curve(path):
-    """(reduced load, size of the leak rate, whether uncertain) of one realisation, by reduced load.
+    """(reduced load, magnitude of the leak rate, whether uncertain) of one realisation.
 
-    Of several slip lengths that nearest to zero is taken.
+    In the order of the reduced load, at the slip length that is nearest to zero.
     """
     table = read_table(path)
     reduced, leak, status = table["reduced_load"], np.abs(table["leak_rate"]), table["status"]
@@ -54,7 +54,7 @@ def common_range(curves):
 
 
 def superpose(curves):
-    """The factor of each curve that lays it on the others, and the range where it is found."""
+    """The factor that lays each curve on the others, and the range of reduced loads it is from."""
     low, high = common_range(curves)
     at = np.linspace(np.log10(low), np.log10(high), 20) if low < high else np.log10([low])
     levels = [np.interp(at, np.log10(reduced), np.log10(leak)).mean()
@@ -63,7 +63,7 @@ def superpose(curves):
 
 
 def draw_curves(axes, curves, units):
-    """All curves, each times its factor, and the slope of 69/20."""
+    """Draw all curves, each times its factor, and a line with the slope 69/20."""
     factors, (low, high) = superpose(list(curves.values()))
     for (number, (reduced, leak, hollow)), factor in zip(curves.items(), factors):
         style = {"color": COLOURS[number % len(COLOURS)], "markersize": 4, "linewidth": 0.8}
@@ -85,9 +85,9 @@ def draw_curves(axes, curves, units):
 
 
 def at_nearest_slip(table, folder):
-    """The table with what threshold.csv of the realisations says of the slip length nearest to
-    zero, that of the crossover, where ensemble.csv may tell another's; and that slip length if
-    there are several, else None."""
+    """The table with the critical loads and contact areas at the slip length nearest to zero, as in
+    threshold.csv of the realisations: the crossover is that of this slip length, while ensemble.csv
+    may have the thresholds of another. And this slip length if there are several, else None."""
     table, several = Table({name: values.copy() for name, values in table.items()}), None
     for number, path in realisations(folder, "realisation-*/threshold.csv").items():
         threshold = read_table(path)
@@ -109,7 +109,7 @@ def samples(table, name):
 
 
 def strip_of(table, name, label, unit, units):
-    """The values of a quantity in a unit that reads well, and what they are."""
+    """The values of a quantity in a unit that reads well, and their label."""
     values = samples(table, name)
     if not (unit and units):
         return values, with_unit(label, unit, units) if unit else label
@@ -118,7 +118,7 @@ def strip_of(table, name, label, unit, units):
 
 
 def draw_strip(axes, values, label):
-    """The values as dots over a band, mean and standard deviation."""
+    """Draw the values as dots, their mean as a line and the standard deviation as a band."""
     axes.plot(np.linspace(-0.3, 0.3, len(values)), values, "o", color=BLUE, fillstyle="none")
     mean, scatter = values.mean(), values.std(ddof=1) if len(values) > 1 else 0
     axes.axhline(mean, color=VERMILLION)
@@ -128,7 +128,7 @@ def draw_strip(axes, values, label):
 
 
 def draw_ensemble(path, units):
-    """ensemble.png from ensemble.csv and the folders of the realisations beside it."""
+    """Draw ensemble.png from ensemble.csv and the folders of the realisations beside it."""
     table, slip = at_nearest_slip(read_table(path), path.parent)
     curves = read_curves(path.parent)
     strips = [strip_of(table, name, label if slip is None or name != "critical_load" else

@@ -24,7 +24,8 @@ def fields_with_gaps(folder):
 
 
 def draw_step(axes, path, colour, labels):
-    """P(u) of one step: simulated as a line in its colour, the theory thin and red."""
+    """Draw P(u) of one step, the simulated one in @p colour, Persson's as a thin dashed red line;
+    return the gaps that should be visible."""
     with h5py.File(path) as file:
         group = file["gap_distribution"]
         edges = group["edges"][:]
@@ -45,7 +46,7 @@ def draw_step(axes, path, colour, labels):
 
 
 def draw_gaps(folder, units):
-    """gaps.png of up to MOST_STEPS steps of the run in @p folder; None where no file has any."""
+    """Draw gaps.png for up to MOST_STEPS steps of the run in @p folder, if it has distributions."""
     files = fields_with_gaps(folder)
     if not files:
         return None

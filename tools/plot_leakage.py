@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""leakage.png: leak rate, contact and gap against load; near the threshold, against 1 - L/L_c."""
+"""leakage.png: leak rate, contact and gap against load, and the leak rate against 1 - L/L_c."""
 import sys
 
 import numpy as np
@@ -18,7 +18,7 @@ def column(table, name, default):
 
 
 def leak_rate_label(table, units):
-    """That of an axis with the sizes of leak rates, of which a logarithm can be drawn."""
+    """The label of an axis for magnitudes of leak rates, as its scale is logarithmic."""
     rates = [table[name] for name in ("leak_rate", "theory_leak_rate") if name in table]
     is_negative = any((rate < 0).any() for rate in rates)
     return with_unit("Size of the negative leak rate" if is_negative else "Leak rate",
@@ -26,7 +26,7 @@ def leak_rate_label(table, units):
 
 
 def all_series(table):
-    """(label, slip length, branch, rows) of each line: one a branch and slip length."""
+    """(label, slip length, branch, rows) of each line: one for each slip length and branch."""
     branches, slips = column(table, "branch", ""), column(table, "slip_length", 0.)
     several_branches, several_slips = len(set(branches)) > 1, len(set(slips)) > 1
     for slip in dict.fromkeys(slips):
@@ -37,16 +37,16 @@ def all_series(table):
 
 
 def error_bars(table, rows):
-    """Distances of the bounds from the size of the leak rate, below and above; no bound, no bar."""
+    """Distances of the bounds from the magnitude of the leak rate, below and above; 0: no bound."""
     leak = np.abs(table["leak_rate"])
-    with np.errstate(invalid="ignore"):  # nothing limits the leak of parted walls
+    with np.errstate(invalid="ignore"):  # the leak rate of parted walls is infinite
         bars = np.array([leak - column(table, "leak_rate_lower", np.nan),
                          column(table, "leak_rate_upper", np.nan) - leak])[:, rows]
     return np.where(np.isfinite(bars), np.maximum(bars, 0), 0)
 
 
 def draw_line(axes, x, y, hollow, **style):
-    """A line in the order of @p x, its markers hollow where @p hollow."""
+    """Draw a line in the order of @p x, with hollow markers where @p hollow is true."""
     order = np.argsort(x, kind="stable")
     marker, label = style.pop("marker"), style.pop("label", None)
     axes.plot(x[order], y[order], marker=marker, label=label, **style)
@@ -55,7 +55,7 @@ def draw_line(axes, x, y, hollow, **style):
 
 
 def draw_steps(axes, table, x):
-    """Sizes of leak rates against the column @p x, with what is known of their bounds."""
+    """Draw magnitudes of leak rates, with their known bounds, against the column @p x."""
     leak, status = np.abs(table["leak_rate"]), column(table, "status", "ok")
     drawn = np.isfinite(table[x]) & np.isfinite(leak) & (leak > 0)
     failed = drawn & ~is_trusted(status)
@@ -75,14 +75,14 @@ def draw_steps(axes, table, x):
         axes.plot([], [], "o", color="0.4", markerfacecolor="white",
                   label="hollow: " + ", ".join(dict.fromkeys(status[hollow])))
     keep_in_view(axes, leak[drawn & ~failed])
-    if failed.any():  # where it is, or on the edge that is nearer
+    if failed.any():  # at their value, or else at the nearer edge
         axes.plot(table[x][failed], np.clip(leak[failed], *axes.get_ylim()), "o", color=VERMILLION,
                   fillstyle="none", markersize=10, clip_on=False,
                   label="failed: " + ", ".join(dict.fromkeys(status[failed])))
 
 
 def keep_in_view(axes, trusted):
-    """Log scale; a failed step's bounds, which can be far off, do not stretch it."""
+    """Set a logarithmic scale that fits trusted values; bounds of failed steps can be far off."""
     if trusted.size and trusted.max() > trusted.min():
         low, high = np.log10([trusted.min(), trusted.max()])
         margin = max(0.08 * (high - low), 0.5)
@@ -92,8 +92,8 @@ def keep_in_view(axes, trusted):
 
 
 def draw_leak_rate(axes, table, units, _):
-    """Leak rate (log) against load; steps that do not percolate are marked on the axis, those
-    where nothing limits the leak at the top."""
+    """Draw the leak rate (logarithmic) against the load. Steps that do not percolate are marked on
+    the axis, steps with parted walls, where nothing limits the leak rate, at the top."""
     leak, pressure = table["leak_rate"], table["pressure"]
     percolates = column(table, "percolates", np.nan)
     sealed = np.where(np.isfinite(percolates), percolates == 0, leak == 0)
@@ -113,7 +113,7 @@ def draw_leak_rate(axes, table, units, _):
 
 
 def draw_contact(axes, table, units, _):
-    """Contact area (left scale) and mean gap (right scale) against load."""
+    """Draw contact area (left scale) and mean gap (right scale) against the load."""
     label_axis(axes.xaxis, "Nominal pressure", "pressure", units,
                table["pressure"].max(initial=0))
     quantities = [("contact_area", "Contact area / nominal area", GREEN, "o"),
@@ -137,14 +137,15 @@ def draw_contact(axes, table, units, _):
 
 
 def draw_theory_alone(axes, table, units, _):
-    """What the effective medium leaks, where nothing was simulated."""
+    """Draw the leak rate of the effective medium, if nothing was simulated."""
     draw_theory(axes, table, "pressure")
     axes.set(yscale="log", xlabel=with_unit("Nominal pressure", "pressure", units),
              ylabel=leak_rate_label(table, units))
 
 
 def draw_guides(axes, table):
-    """Thin lines of the expected slopes at the last point: 69/20, and 3 of the largest slip."""
+    """Draw thin lines with the expected slopes at the last point: 69/20 without slip, and 3 for the
+    most negative slip length."""
     reduced, leak, slips = (column(table, name, 0.)
                             for name in ("reduced_load", "leak_rate", "slip_length"))
     leak = np.abs(leak)
@@ -173,7 +174,7 @@ def fitted_exponents(table):
 
 
 def draw_threshold(axes, table, units, fits):
-    """Leak rate against the distance from the threshold, on double logarithmic axes."""
+    """Draw the leak rate against the distance from the threshold, both logarithmic."""
     near = {name: values[column(table, "reduced_load", np.nan) > 0]
             for name, values in table.items()}
     draw_steps(axes, near, "reduced_load")
@@ -185,7 +186,7 @@ def draw_threshold(axes, table, units, fits):
 
 
 def read_fits(path):
-    """What fit.csv says of the leak rate; nothing where it is missing or odd."""
+    """The exponents of the leak rate in fit.csv; none if it is missing or cannot be read."""
     try:
         return fitted_exponents(read_table(path))
     except (OSError, KeyError, ValueError):
@@ -193,7 +194,7 @@ def read_fits(path):
 
 
 def draw_critical_loads(axes, path):
-    """A line at each critical load of threshold.csv that lies near the steps."""
+    """Draw a line at each critical load of threshold.csv that lies near the steps."""
     table = read_table(path) if path.exists() else {}
     middles = [0.5 * sum(pair) for pair in zip(np.ravel(table.get("critical_load_lower", ())),
                                                np.ravel(table.get("critical_load_upper", ())))]
@@ -204,10 +205,10 @@ def draw_critical_loads(axes, path):
 
 
 def draw_leakage(path, units):
-    """leakage.png from leakage.csv: one panel for each relation that the table holds."""
+    """Draw leakage.png from leakage.csv, with one panel for each relation that the table holds."""
     table = read_table(path)
     if table and "pressure" not in table:
-        return None  # a given gap: one row, nothing to draw it against
+        return None  # a given gap: one row, and no load to draw it against
     factor, units = wanted_leak_rate(path.parent, units)
     for name in ("leak_rate", "leak_rate_lower", "leak_rate_upper", "theory_leak_rate"):
         if name in table:

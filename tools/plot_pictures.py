@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""picture-STEP.png: the contact, and the flow (or load) in it."""
+"""picture-STEP.png: the contact, and beside it the flow or, without a fluid, the load."""
 import h5py
 import numpy as np
 from matplotlib import collections, lines, patches, patheffects
@@ -26,7 +26,7 @@ NARROWEST = 4.4  # inches for two colour bars
 
 
 def read_picture(path):
-    """Fields (arrays) and attributes of picture-STEP.h5; numbers that it lacks are NaN."""
+    """Fields (arrays) and attributes of picture-STEP.h5; missing numbers are NaN."""
     with h5py.File(path, "r") as file:
         fields = {name: field[()] for name, field in file.items()}
         about = {name: np.ravel(value)[0] for name, value in file.attrs.items()}
@@ -40,7 +40,7 @@ def read_picture(path):
 
 
 def colour_scales(fields, about):
-    """Colour scales, by field: of the gap, and of flow or (in a dry contact) contact pressure."""
+    """Colour scales by field: for the gap, and for the flow or, in a dry contact, the pressure."""
     def up_to_top(values):
         high = values[values > 0]  # the topmost 0.5 % saturate
         return Normalize(0, float(np.percentile(high, 99.5)) if high.size else 1.0, clip=True)
@@ -59,7 +59,7 @@ def colour_scales(fields, about):
 
 
 def paint_gap(fields, scales):
-    """The picture (ny, nx, 3) of the gap's depth, with the contact black."""
+    """The picture (ny, nx, 3) of the gap, with the contact in black."""
     image = scales["gap"].to_rgba(fields["gap"].astype(float), bytes=True)[..., :3]
     outside = fields["open"] == 3
     image[(fields["open"] == 0) | (outside & (fields["gap"] <= 0))] = CONTACT
@@ -77,7 +77,7 @@ def paint_load(fields, scales):
 
 
 def paint_flow(fields, scales):
-    """The picture of the flow: contact, pockets, fluid pressure, and the current over it."""
+    """The picture of the flow: contact, pockets, fluid pressure, and on top of it the current."""
     image = np.array([CONTACT, POCKET, PATH, OUTSIDE], dtype=np.uint8)[fields["open"]]
     path = fields["open"] == 2
     if "fluid_pressure" in scales:
@@ -94,10 +94,10 @@ def paint_flow(fields, scales):
 
 
 def add_panels(lx, ly):
-    """A figure with two axes for pictures of the box, and the inches of one: width and height.
+    """A figure with two axes for pictures of the box, and the width and height of one in inches.
 
-    Boxes up to 1.6 times as wide as high stand side by side, wider ones on top of each other; the
-    axes have the shape of the box up to 8 : 1, and between them is room for two colour bars each.
+    Boxes up to 1.6 times as wide as high stand side by side, wider ones on top of each other. The
+    axes have the shape of the box up to 8 : 1, and below each is room for two colour bars.
     """
     ratio = float(np.clip(lx / ly, 1 / 8, 8))
     width = min(5.2, 6.5 * ratio) if ratio <= 1.6 else 8.5
@@ -111,7 +111,7 @@ def add_panels(lx, ly):
 
 
 def show_box(axes, image, about, units, outline=None):
-    """An image of the box, with the worst constriction circled and a mesh's outline drawn."""
+    """Show an image of the box, the worst constriction in a ring, and the outline of a mesh."""
     axes.imshow(image, origin="lower", extent=(0, about["lx"], 0, about["ly"]), aspect="auto")
     axes.plot(about["worst_x"], about["worst_y"], markersize=19, clip_on=False, **RING)
     axes.set(xlim=(0, about["lx"]), ylim=(0, about["ly"]))
@@ -124,7 +124,7 @@ def show_box(axes, image, about, units, outline=None):
 
 
 def add_colour_bars(axes, inches, bars, units):
-    """Colour bars, (scale, label, quantity) each, side by side below a panel."""
+    """Add colour bars, (scale, label, quantity) each, side by side below a panel."""
     width, height = inches
     share = max(width, NARROWEST) / width
     for start, (scale, label, quantity) in zip((0.5 - share / 2, 0.5 + 0.15 / width), bars):
@@ -134,7 +134,7 @@ def add_colour_bars(axes, inches, bars, units):
 
 
 def add_legend(axes, inches, about):
-    """The meaning of plain colours and of the ring, below the right half of a panel."""
+    """Explain plain colours and the ring, below the right half of a panel."""
     colours = {"contact": CONTACT, "open, not joined to both sides": POCKET}
     keys = [patches.Patch(color=np.divide(rgb, 255), label=text) for text, rgb in colours.items()]
     if np.isfinite(about["worst_x"]):
@@ -145,7 +145,7 @@ def add_legend(axes, inches, about):
 
 
 def mark_flow(axes, about):
-    """Where the fluid enters and leaves; or that it cannot."""
+    """Mark where the fluid enters and leaves, and whether the seal is closed."""
     for at, words in enumerate(("inlet ⟶", "⟶ outlet")):
         if about["direction"] == "mesh":
             axes.text(0.01 + 0.98 * at, 1.015, words.strip(" ⟶"), transform=axes.transAxes,
@@ -161,7 +161,7 @@ def mark_flow(axes, about):
 
 
 def headline(about, units):
-    """What is known of load, contact area, leak rate and the model's limits, in one line."""
+    """Load, contact area, leak rate and validity, as far as they are known, in one line."""
     words = {"nominal pressure": with_best_unit(about["nominal_pressure"], units.get("pressure")),
              "contact area": f"{100 * about['contact_area']:.1f} %",
              "leak rate": with_best_unit(about["leak_rate"], units.get("leak_rate"))}
@@ -172,7 +172,7 @@ def headline(about, units):
 
 
 def add_window(axes, fields, about):
-    """The gap in the finest window around the worst constriction, as an inset."""
+    """Add the gap in the finest window around the worst constriction as an inset."""
     if "window_gap" not in fields:
         return
     x, y, lx, ly = (about[f"window_{name}"] for name in ("x", "y", "lx", "ly"))
@@ -189,7 +189,7 @@ def add_window(axes, fields, about):
 
 
 def draw_picture(path, units):
-    """picture-STEP.png from picture-STEP.h5: the contact, and the flow (or load) in it."""
+    """Draw picture-STEP.png from picture-STEP.h5: the contact, and the flow or load in it."""
     fields, about = read_picture(path)
     scales = colour_scales(fields, about)
     factor, units = wanted_leak_rate(path.parent, units)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""seal.png: the leak rate of a whole seal against load, with its band of 90 %."""
+"""seal.png: the leak rate of a whole seal against load, with its 90 % band."""
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -8,7 +8,7 @@ from strait_results import read_table
 
 
 def draw_band(axes, table):
-    """Median as a line, the band of 90 % around it down to the lower edge where it seals."""
+    """Draw the median as a line in its 90 % band, cut at the lower edge where seals do not leak."""
     load = table["pressure"]
     low, middle, high = (table[f"leak_rate_{name}"] for name in
                          ("5_percent", "median", "95_percent"))
@@ -33,7 +33,7 @@ def draw_band(axes, table):
 
 
 def draw_wanted(axes, path):
-    """The wanted leak rate, and the band of the load at which it is reached."""
+    """Draw the wanted leak rate, and the load at which it is reached, with its band."""
     table = read_table(path)
     load, low, high = (float(table[name][0]) for name in
                        ("load", "load_5_percent", "load_95_percent"))
@@ -45,7 +45,7 @@ def draw_wanted(axes, path):
 
 
 def draw_seal(path, units):
-    """seal.png from seal.csv and, if there is one, seal_load.csv."""
+    """Draw seal.png from seal.csv and, if there is one, seal_load.csv."""
     table = read_table(path)
     figure = Figure(figsize=(5.6, 4.0), layout="constrained")
     axes = figure.subplots()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""spectrum.png from spectrum.csv: the spectrum of a surface and the law that fits it."""
+"""spectrum.png from spectrum.csv: the spectrum of a surface and the self-affine fit to it."""
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -8,7 +8,7 @@ from strait_results import read_table
 
 
 def draw_spectrum(path, units):
-    """Density against wave number on double logarithmic axes."""
+    """Draw the density against the wave number on double logarithmic axes."""
     table = read_table(path)
     q, density = table["wave_number"], table["density"]
     length = units.get("length") if units else None

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Theory as red lines beside the simulation; as a script, several runs of the theory in one.
+"""Theory as red lines beside the simulation; as a script, runs of the theory in one picture.
 
-plot_theory.py FOLDER... --picture FILE draws what the effective medium leaks in each folder
-against the load over that which seals it, normalised by the flow through a gap of the short
-cut-off wavelength everywhere, as the paper's figure 2b. Where a scene names a gas and leaves its
-viscosity to the program, that flow is not known here, and all leak rates are drawn as they are.
+plot_theory.py FOLDER... --picture FILE draws the leak rate of the effective medium in each folder
+against the load over the critical load, as in figure 2b of the paper. Leak rates are divided by the
+flow through a uniform gap of the short cut-off wavelength. If a scene names a gas and leaves its
+viscosity to the program, that flow is unknown here, and all leak rates are drawn as they are.
 """
 import argparse
 import pathlib
@@ -22,8 +22,8 @@ from strait_results import read_table
 
 
 def draw_theory(axes, table, x, name="theory_leak_rate", label="theory"):
-    """A red line of the column @p name against the column @p x; of the leak rate, that is of its
-    size, one for each slip length, on which contact area and mean gap do not depend."""
+    """Draw the column @p name against the column @p x as a red line: for the leak rate its
+    magnitude, one line for each slip length. Contact area and mean gap do not depend on slip."""
     if name not in table:
         return
     values, slips = table[name], np.zeros(len(table[name]))
@@ -37,8 +37,8 @@ def draw_theory(axes, table, x, name="theory_leak_rate", label="theory"):
 
 
 def flow_at_cut_off(scene):
-    """The leak rate of a gap λs everywhere; None where only the program knows the viscosity."""
-    # As FluidParameters::take_gas(): the default of a gas with a name stands for the gas's own.
+    """The leak rate through a uniform gap λs; None if only the program knows the viscosity."""
+    # As in FluidParameters::take_gas(): for a named gas the default stands for its own viscosity.
     viscosity = float(scene["Fluid/Viscosity"])
     if scene.get("Fluid/Gas") and viscosity == 1:
         return None
@@ -49,8 +49,8 @@ def flow_at_cut_off(scene):
 
 
 def normalised(folder, by_flow=True):
-    """(load over the critical one, leak rate, λr/λs), without slip; the leak rate is over that of
-    a gap λs everywhere or else its size as it is."""
+    """(load over critical load, leak rate, λs/λr) of the rows without slip; the leak rate is
+    divided by that of a uniform gap λs, or else the magnitude as it is."""
     table, scene = read_table(folder / "leakage.csv"), read_parameters(scene_in(folder))
     dimension = scene["Theory/Dimension parameter"]
     if dimension not in ("bruggeman", "critical fraction"):
@@ -60,7 +60,7 @@ def normalised(folder, by_flow=True):
     if not table.n_rows:
         raise ValueError("only rows with the slip length 0 can be compared, and there are none")
     first = np.argmin(table["pressure"])
-    # The contact area is an error function of the load.
+    # The contact area is the error function of a multiple of the load.
     scale = [NormalDist().inv_cdf((1 + area) / 2)
              for area in (sealing, table["theory_contact_area"][first])]
     critical = table["pressure"][first] * scale[0] / scale[1]
@@ -72,8 +72,8 @@ def normalised(folder, by_flow=True):
 
 
 def unit_of_all(folders):
-    """The units of the leak rates of all folders, which must be the same to be drawn as they
-    are."""
+    """The units of the first folder; raises ValueError if the leak rates of the folders have
+    different ones."""
     units = [read_units(folder) for folder in folders]
     if len({of_one.get("leak_rate") for of_one in units}) > 1:
         raise ValueError("the leak rates of these runs have different units, and one that names a "
@@ -82,7 +82,7 @@ def unit_of_all(folders):
 
 
 def draw_folders(folders, picture):
-    """The curves of all folders over the load, and over the distance from the threshold."""
+    """Draw the curves of all folders against the load and the distance from the threshold."""
     figure = Figure(figsize=(9.6, 4.2), layout="constrained")
     left, right = figure.subplots(1, 2, sharey=True)
     by_flow = all(flow_at_cut_off(read_parameters(scene_in(folder))) is not None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The pieces of report.html: tables, pictures, style and script, all within the page."""
+"""The parts of report.html: tables, pictures, style and script, all within the page."""
 import base64
 import io
 import math
@@ -9,7 +9,7 @@ import numpy as np
 
 from plot_common import readable
 
-# Nothing may be loaded: not even by what a scene or a log smuggles in.
+# The page may load nothing, not even if the text of a scene or a log contains markup.
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 
 STYLE = """
@@ -63,7 +63,7 @@ document.querySelectorAll("th").forEach(head => head.addEventListener("click", (
 """
 
 class Column:
-    """One column of a table: a heading, and for each row what is shown and by what it is sorted."""
+    """A column of a table: heading, unit, and for each row the text shown and the sort key."""
 
     def __init__(self, name, unit, values, errors=None):
         self.name, values = name, np.asarray(values)
@@ -76,30 +76,30 @@ class Column:
                           for text, value, error in zip(self.shown, values, errors)]
 
     def cell(self, row):
-        """The cell in a row."""
+        """The HTML of the cell in a row."""
         text, kind = escape(self.shown[row]), " class=text" if self.is_text else ""
         if len(text) > 40:
             kind = ' class="text long"'
         if len(text) < 12:
             text = text.replace(" ", "&nbsp;")
-        if self.is_text and " " not in text:  # words of status and validity break between them
+        if self.is_text and " " not in text:  # lines break between the words of a status
             text = " ".join(f"<span>{word}</span>" for word in text.split("+"))
         return f'<td{kind} data-value="{escape(self.keys[row])}">{text}</td>'
 
 
 def quantity(value, unit, digits=4):
-    """A number with its unit, if the scene states units."""
+    """A number with the unit that reads best, if the scene states units."""
     factor, unit = readable(unit, np.array([value]))
     return f"{value / factor:.{digits}g}" + (f" {unit}" if unit else "")
 
 
 def number(value):
-    """Four digits; a dash for what is not known."""
+    """A number to four digits; a dash if it is not finite."""
     return "–" if not math.isfinite(value) else f"{value:.4g}"
 
 
 def percent(error):
-    """Two digits of a relative error, without an exponent."""
+    """A relative error to two digits, in percent, without an exponent, or as a multiple."""
     if error < .995:
         return f"{100 * error:.2g} %"
     return f"{100 * error:.0f} %" if error < 10 else f"{error:.2g} times"
@@ -120,7 +120,7 @@ def table(columns, title=""):
 
 
 def picture(path, caption, kind="plot", width=None):
-    """A picture within the page; with a width it is shrunk to so many pixels and compressed."""
+    """A picture within the page; if a width is given, shrunk to that many pixels and compressed."""
     content, mime = path.read_bytes(), "png"
     if width:
         from PIL import Image  # comes with matplotlib
@@ -136,18 +136,18 @@ def picture(path, caption, kind="plot", width=None):
 
 
 def download(name, text):
-    """A link that saves a text of the page as a file."""
+    """A link that saves a text as a file."""
     code = base64.b64encode(text.encode("utf-8")).decode("ascii")
     return f'<a download="{escape(name)}" href="data:text/plain;base64,{code}">{escape(name)}</a>'
 
 
 def folded(title, content):
-    """What is shown on demand, and not printed."""
+    """Content that is shown on demand, and not printed."""
     return f"<details><summary>{escape(title)}</summary>\n{content}</details>\n"
 
 
 def page(title, sections):
-    """The whole page of (heading, content) pairs; without content no section."""
+    """The whole page from (heading, content) pairs; pairs without content are left out."""
     body = "".join((f"<section><h2>{escape(heading)}</h2>\n" if heading else "<section>") +
                    f"{content}</section>\n" for heading, content in sections if content)
     return ("<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>\n"

@@ -9,7 +9,7 @@ from strait_results import Run
 
 
 class Results:
-    """All that a folder holds: one run, or realisations each with a run."""
+    """The results in a folder: of one run, or of realisations with a run each."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -25,19 +25,19 @@ class Results:
         self.log = log.read_text(encoding="utf-8", errors="replace") if log.exists() else ""
 
     def path(self, name):
-        """A file of the folder if it is there."""
+        """The path of a file of the folder, or None if it does not exist."""
         path = self.folder / name
         return path if path.exists() else None
 
     def whole_seal(self):
-        """What the log says of the whole seal, the last time it was assessed."""
+        """The lines of the log about the whole seal, from the last time it was assessed."""
         found = re.findall(r"^whole seal:.*(?:\n  .*)*", self.log, re.MULTILINE)
         return found[-1].splitlines() if found else []
 
 
 def relative_errors(columns):
-    """Of the leak rates: the whole error where it is known, else how far the bounds are; not a
-    number where the step failed, so that these are no bounds."""
+    """Relative errors of the leak rates: the total one if known, else that of the farther bound;
+    not a number for steps that failed, whose bounds do not hold."""
     rate = np.abs(columns["leak_rate"])
     with np.errstate(divide="ignore", invalid="ignore"):
         bracket = np.maximum(columns["leak_rate_upper"] / rate - 1,

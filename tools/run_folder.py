@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What is where in the output folder of a run, or of several realisations, and what its rows are
-worth."""
+"""Find files in the output folder of a run, or of several realisations, and judge rows by their
+status."""
 import contextlib
 import csv
 import re
@@ -17,22 +17,22 @@ def _is_made_of(status, words):
 
 
 def is_uncertain(status):
-    """Where every word of a status, joined by +, is a doubt about a converged result."""
+    """Where every word of a status (words are joined by +) is a doubt about a converged result."""
     return _is_made_of(status, UNCERTAIN)
 
 
 def is_trusted(status):
-    """Where nothing failed, doubts or not."""
+    """Where nothing failed, with or without doubts."""
     return _is_made_of(status, ("ok", "", *UNCERTAIN))
 
 
 def has_bounds(status):
-    """Where the leak rate has bounds that hold, be they wider than was asked."""
+    """Where the bounds of the leak rate hold, even if they are wider than was asked for."""
     return _is_made_of(status, ("ok", "", "flow-accuracy", *UNCERTAIN))
 
 
 def leak_rates(columns):
-    """The names of the columns of leak rates: the scene's units, then those asked for."""
+    """Names of the columns of leak rates: that in the scene's units, then those asked for."""
     return [name for name in columns if name == "leak_rate" or
             (name.startswith("leak_rate_") and
              name not in ("leak_rate_lower", "leak_rate_upper", "leak_rate_error"))]
@@ -49,8 +49,8 @@ def numbered(folder, pattern):
 
 
 def realisations(folder, pattern="realisation-*"):
-    """The folders of the realisations, or a file in each, by number: those that ensemble.csv lists
-    where there is one, as others may be left of an earlier run."""
+    """The folders of the realisations, or a file in each, by number. If there is an ensemble.csv,
+    only those that it lists, as others may be left from an earlier run."""
     found, table = numbered(folder, pattern), folder / "ensemble.csv"
     if table.exists():
         listed = read_table(table).get("realisation", ())
@@ -59,12 +59,12 @@ def realisations(folder, pattern="realisation-*"):
 
 
 def at_load(pressures, load):
-    """Where pressures are a load, but for rounding; loads may be far below one."""
+    """Where pressures equal a load to rounding; loads may be far below one."""
     return np.isclose(pressures, load, rtol=1e-9, atol=0)
 
 
 def nearest_slip(table):
-    """Where the slip length is that nearest to zero, which is taken of several."""
+    """Where the slip length is the one nearest to zero, which is taken if there are several."""
     slips = table.get("slip_length", np.zeros(table.n_rows))
     return slips == slips.max(initial=-np.inf)  # none is positive
 
@@ -91,8 +91,8 @@ def read_parameters(scene):
 
 @contextlib.contextmanager
 def replacing(path):
-    """A path to write to, which takes the place of a file, whole or not at all: a full disk leaves
-    an earlier one as it is."""
+    """A path to write to, which replaces a file when it is complete: if the disk is full, a file
+    of an earlier run stays as it is."""
     partial = path.with_suffix(".part")
     try:
         yield partial
@@ -102,6 +102,6 @@ def replacing(path):
 
 
 def write_table(path, header, rows):
-    """A table, whose columns doc/results.md defines."""
+    """Write a table; doc/results.md defines its columns."""
     with replacing(path) as partial, open(partial, "w", newline="", encoding="utf-8") as file:
         csv.writer(file, lineterminator="\n").writerows([header, *rows])

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A whole seal as a random network of patches: its conductance, and how it scatters.
 
-Conductances are those of a square (volume per time at the seal's pressure drop). A patch is a
-bond, as the mean of a network of bonds is not biased: that of an infinite isotropic network whose
-ln K is symmetric about µ is exp(µ) exactly (Dykhne 1970), while joining patches at their edges
-in series falls short of it.
+Conductances are those of a square (volume per time under the pressure drop of the seal). A patch is
+a bond, because a network of bonds is unbiased: an infinite isotropic one whose ln K is symmetric
+about µ conducts exp(µ) exactly (Dykhne 1970). Patches that are joined at their edges in series
+would conduct less.
 """
 import numpy as np
 from scipy.linalg import solveh_banded
@@ -14,34 +14,34 @@ from scipy.special import ndtri, stdtrit
 
 from run_folder import at_load
 
-# Networks of one band: their quantiles of 5 and 95 % are then known to 9 % of the scatter; with
-# half as many to 13 %, with twice as many to 6 % and in twice the time.
+# Networks for one band. They give its quantiles of 5 and 95 % to 9 % of the scatter, half as many
+# to 13 %, and twice as many to 6 % in twice the time.
 N_NETWORKS = 400
-# A longer ring is cut to so many patches. Seals that large scatter by 1.4 % of the patches' own
-# scatter in ln K, 2 % at half and 1 % at double, where a network takes 10 ms rather than 5.
+# A ring of more patches is cut to this number. Seals of that size scatter by 1.4 % of the scatter
+# of the patches in ln K; 2 % at half of it, and 1 % at double, where a network takes 10 ms, not 5.
 MOST_PATCHES = 5000
 
 
 def _most_around(n_along, n_around):
-    """To how many patches around a ring is cut."""
+    """The number of patches around to which a ring is cut."""
     return min(n_around, max(MOST_PATCHES // n_along, 2 * n_along))
 
 
 def matrix_bytes(n_along, n_around):
-    """Memory of the band that network_conductance() solves for a ring of sample_seals()."""
+    """Bytes of the band matrix of network_conductance() for a ring of sample_seals()."""
     rows = n_along - 1
     return 8 * (2 * rows + 1) * rows * _most_around(n_along, n_around)
 
 
 def _positions(n):
-    """Places of n points of a ring in a row, folded so that neighbours are at most two apart."""
+    """Places in a row of the n points of a ring, folded: neighbours are at most two apart."""
     first = np.arange(n)
     return np.where(first < (n + 1) // 2, 2 * first, 2 * (n - 1 - first) + 1)
 
 
 def _floating(nodes, along, across):
-    """Which of the (m, N2) nodes no open bond connects with inlet or outlet; whether these are
-    connected with each other."""
+    """Which of the (m, N2) nodes open bonds connect neither with inlet nor with outlet; and whether
+    inlet and outlet are connected with each other."""
     m, n = nodes.shape
     inlet, outlet = np.full((1, n), m * n), np.full((1, n), m * n + 1)
     chain = np.concatenate([inlet, nodes, outlet])
@@ -65,7 +65,7 @@ def network_conductance(along, across):
     if m == 0 or scale == 0:
         return along[0].sum() if m == 0 else 0.
     along = along / scale
-    across = across / scale if n > 1 else np.zeros((m, 1))  # one alone is its own neighbour
+    across = across / scale if n > 1 else np.zeros((m, 1))  # a single one is its own neighbour
     nodes = _positions(n) * m + np.arange(m)[:, None]
     diagonal = along[:-1] + along[1:] + across + np.roll(across, 1, axis=1)
     if along.min() == 0 or across.min(initial=1) == 0:
@@ -90,12 +90,12 @@ def network_conductance(along, across):
 
 
 def at_loads(loads, conductances, wanted):
-    """Conductances (patches, wanted) at loads between those where they are known, at columns.
+    """Interpolate the conductances (patches, loads) to the wanted loads: (patches, wanted).
 
-    ln K is linear in the load. Between a load where a patch leaks and one where it is sealed, K
-    is: an upper estimate, as it vanishes faster than that.
+    ln K is linear in the load. Between a load where a patch leaks and one where it is sealed, K is
+    linear, which is an upper estimate, as K vanishes faster.
     """
-    # Rounding must neither lead beyond the last load nor open what is sealed at one.
+    # Rounding must neither lead beyond the last load nor open a patch that is sealed at a load.
     nearest = loads[np.abs(np.subtract.outer(wanted, loads)).argmin(axis=-1)]
     wanted = np.where(at_load(wanted, nearest), nearest, wanted)
     right = np.clip(np.searchsorted(loads, wanted), 1, len(loads) - 1)
@@ -108,12 +108,13 @@ def at_loads(loads, conductances, wanted):
 
 
 def sample_seals(along, across, n_around, aspect, resampled, rng):
-    """Conductances of a square of N_NETWORKS random seals.
+    """Conductances of N_NETWORKS random seals, per square.
 
-    along (n, N1), across (n, N1 - 1): what the n patches conduct at the pressures of their
-    places over the width; aspect: of a patch, width around over length along. With resampled
-    each seal is made of n - 1 patches drawn from the n, which scatter about their mean as the n do
-    about the mean of all that there are; of two patches two are drawn, which scatter less.
+    along (n, N1), across (n, N1 - 1): conductances of the n patches at the pressures of their
+    places over the width; aspect: width of a patch around the ring over its length along the flow.
+    If resampled, each seal is made of n - 1 patches drawn from the n with repetition, which scatter
+    about their mean as the n do about the true one; of two patches two are drawn, which scatter
+    less.
     """
     n_along = along.shape[1]
     n_around = _most_around(n_along, n_around)
@@ -135,7 +136,7 @@ def _scatter(samples):
 
 
 class Band:
-    """Median, 5 and 95 % of the conductance of a seal, and where their distance comes from."""
+    """Median, 5 and 95 % quantiles of the conductance of a seal, and the sources of its scatter."""
 
     def __init__(self, along, across, n_around, aspect, solution_error, rng):
         both = sample_seals(along, across, n_around, aspect, True, rng)
@@ -143,17 +144,17 @@ class Band:
         self.arrangement = _scatter(alone)
         self.patches = np.sqrt(max(_scatter(both)**2 - self.arrangement**2, 0.))
         self.solution = solution_error
-        # The scatter of the patches is known from the n of them only: Student's t.
+        # The scatter of patches is known only from the n of them: Student's t.
         free = max(len(along) - 1, 1)
         self.student = stdtrit(free, 0.95) / ndtri(0.95)
-        self.student *= np.sqrt(max(free, 2) / free)  # two of two patches scatter too little
+        self.student *= np.sqrt(max(free, 2) / free)  # two drawn of two scatter too little
         self.sealed = np.mean(both == 0)
-        # How much the solutions err is known, however few patches there are.
+        # The error of the solutions is known, however few patches there are.
         seals = self._widened(both) * np.exp(solution_error * rng.uniform(-1, 1, both.size))
         self.median, self.lower, self.upper = np.quantile(seals, (0.5, 0.05, 0.95))
 
     def _widened(self, samples):
-        """Samples whose logarithms are as much farther from their median as Student's t says."""
+        """Samples whose logarithms are moved away from their median, as Student's t requires."""
         median, total = np.median(samples), np.hypot(self.patches, self.arrangement)
         if median == 0 or total == 0:
             return samples

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a scene says of a whole seal: its size, and the pressure over its width."""
+"""A whole seal as the scene describes it: its size, and the pressure over its width."""
 import math
 import pathlib
 import re
@@ -12,13 +12,13 @@ from run_folder import at_load, read_parameters
 
 
 def box_of(values):
-    """Sides of the box of a scene, along the flow and across."""
+    """The sides of the box of a scene: along the flow and across."""
     sizes = [float(size) for size in values["Surface/Size"].split(",")]
     return (sizes[0], sizes[-1]) if values["Fluid/Direction"] == "x" else (sizes[-1], sizes[0])
 
 
 def until_they_turn(loads):
-    """Those of a path up to where it first turns round."""
+    """The loads of a path up to where it first turns round."""
     ways = np.sign(np.diff(loads))
     way = ways[np.flatnonzero(ways)[:1]]
     back = np.flatnonzero(ways * way < 0) if way.size else way
@@ -26,22 +26,22 @@ def until_they_turn(loads):
 
 
 def _joined(loads, others):
-    """The loads, and those of the others that are not among them."""
+    """The loads, and those of the others that differ from all of them."""
     return np.union1d(loads, [load for load in others if not at_load(loads, load).any()])
 
 
 class Seal:
-    """What the scene says of the seal."""
+    """The seal that a scene describes."""
 
     def __init__(self, scene):
         values = read_parameters(scene)
         path = np.array([float(load) for load in
                          values["Load programme/Pressures"].split(",") if load.strip()])
-        # As Scene::depends_on_path().
+        # As in Scene::depends_on_path().
         has_memory = (values.get("Contact/Yielding", "none") != "none" or
                       values.get("Contact/Adhesion/Enabled") == "true" or
                       values.get("Fluid/Wall feedback/Enabled") == "true")
-        # What leaks after the path turned round belongs to another curve.
+        # Leak rates after the path turned round are those of another curve.
         first_way = until_they_turn(path) if has_memory else path
         self.turns_round = has_memory and (first_way.size < path.size or
                                            values.get("Load programme/Path") == "cycle")
@@ -63,8 +63,8 @@ class Seal:
         self.unit = units[0].strip()
 
     def _shares(self, places):
-        """The share of the load between the edge and places from 0 to 1 across the width; the
-        table's own mean pressure, if there is one."""
+        """The fraction of the load between the edge and each of the places, which go from 0 to 1
+        over the width; and the mean pressure of the table, or None without a table."""
         if not self.profile:
             return places, None
         if self.profile == "hertz":
@@ -80,20 +80,20 @@ class Seal:
         return up_to[np.searchsorted(knots, places)] / up_to[-1], up_to[-1]
 
     def columns(self):
-        """Pressure over its mean at the patches, one after the other along the flow; at those in
-        between, which lead around; and the table's own mean pressure, if there is one."""
+        """Pressure over mean pressure at the patches, which follow each other along the flow; at
+        the bonds between them, which lead around; and the mean pressure of the table."""
         shares, mean = self._shares(np.linspace(0, 1, 2 * self.n_along + 1))
-        patches = self.n_along * (shares[2:] - shares[:-2])   # and those in between
+        patches = self.n_along * (shares[2:] - shares[:-2])   # and bonds between them
         return patches[::2], patches[1::2], mean
 
     def _ends(self, factors):
-        """The least and the largest mean load whose pressures at all factors are known."""
-        with np.errstate(divide="ignore", invalid="ignore"):   # A bond without pressure has any.
+        """The least and the largest mean load at which the pressures of all factors are known."""
+        with np.errstate(divide="ignore", invalid="ignore"):   # factors may be 0
             return (np.fmax.reduce(self.loads[0] / factors),
                     np.fmin.reduce(self.loads[-1] / factors))
 
     def _require_patches(self):
-        """Refuse a seal whose patches cannot tell what it asks for."""
+        """Refuse a seal for which the scene has no suitable patches."""
         if not self.isotropic:
             rotated = ["rotated" in name for name in self.orientations]
             if self.n_along > 1 and not any(rotated):
@@ -109,9 +109,9 @@ class Seal:
                      "along the flow half of that or less, or leave the profile empty.")
 
     def rows(self):
-        """The mean loads for which the patches know the pressures of the whole profile, at bonds
-        along and around: those of the patches, the least and the largest that there are, and that
-        of the table."""
+        """The mean loads at which the pressures of the whole profile, at bonds along and around,
+        lie within the loads of the patches: from these loads, the least and the largest possible
+        one, and the mean pressure of the table."""
         along, around, mean = self.columns()
         self._require_patches()
         bonds = np.concatenate([along, around])
@@ -120,7 +120,7 @@ class Seal:
         if not uniform:
             ends = self._ends(np.array([least, most]))
             wanted = _joined(wanted, ends) if ends[0] < ends[1] else wanted
-        # Under tension the least pressure is that of the bond that is pressed most.
+        # Under tension the bond with the largest factor has the least pressure.
         pressures = np.outer(wanted, [least, most])
         # Rounding of the profile must not cost the first load and the last.
         rounding = 1e-9 * abs(self.loads)
@@ -139,7 +139,7 @@ class Seal:
 
 
 def read_profile(path):
-    """Positions and pressures of a table of two columns, below any header."""
+    """Positions and pressures in a table of two columns, below any header."""
     rows = []
     try:
         text = pathlib.Path(path).read_text(encoding="utf-8", errors="replace")

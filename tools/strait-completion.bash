@@ -7,7 +7,7 @@ _strait()
   COMPREPLY=()
   case $before in
     --set)
-      # Names contain blanks: a line each, with the quotes that the shell needs.
+      # Names of parameters contain blanks: one a line, in the quotes that the shell needs.
       local IFS=$'\n'
       local names
       names=$("${COMP_WORDS[0]}" --parameters prm 2>/dev/null | awk '

@@ -3,7 +3,7 @@
 """The leak rate of a whole seal from the realisations of a run: seal.csv and seal_load.csv.
 
 Reads parameters.prm and the folders of the realisations; see doc/seal.md. Exit status 1 with a
-sentence where something is missing.
+sentence if something is missing.
 """
 import argparse
 import math
@@ -23,20 +23,21 @@ except ImportError as missing:
     sys.exit(f"whole_seal.py: the Python module {missing.name} is missing; "
              "install python3-numpy and python3-scipy.")
 
-# Patches shorter than this many of the longest waves are neither representative nor uncoupled:
-# at four, waves longer than a patch, which no patch has, would carry 3 % of the variance of the
-# heights for a Hurst exponent of 0.8 and a flat spectrum beyond; 11 % at two, 0.7 % at eight.
+# Patches shorter than this many roll-off wavelengths are neither representative nor uncoupled: at
+# four, the waves longer than a patch, which no patch has, would carry 3 % of the variance of the
+# heights, for a Hurst exponent of 0.8 and a flat spectrum beyond; 11 % at two, 0.7 % at eight.
 LEAST_WAVES = 4
-# Loads between two for which the wanted leak rate is interpolated. Half as many and twice as many
-# change that of prm/oring_seal.prm by a hundredth, no more than other random seals would, and take
-# half and twice the time.
+# Loads inserted between the two that enclose the wanted leak rate. Half as many and twice as many
+# change the load found for prm/oring_seal.prm by a hundredth, no more than other random seals do,
+# and take half and twice the time.
 N_BETWEEN = 7
-# Of the matrix of a network: 315 patches in a row, where the 800 networks of a load take hours.
+# Most memory for the matrix of a network. It allows 315 patches along the flow, where the 800
+# networks of one load take hours.
 MOST_BYTES = 1e9
 
 
 def seal_of(scene):
-    """What a scene says of the seal, if its network can be held."""
+    """The seal of a scene; exits if the matrix of its network takes too much memory."""
     seal = Seal(scene)
     size = matrix_bytes(seal.n_along, seal.n_around)
     if size > MOST_BYTES:
@@ -47,10 +48,10 @@ def seal_of(scene):
 
 
 def in_endless_row(alone, two, error_alone, error_two):
-    """Leak rate of a box in an endless row from those of one and of two, and its error.
+    """Leak rate of a box in an endless row, and its error, from those of one box and of two.
 
-    Two resistances of a box are not more than that of two in a row, as reservoirs between them
-    would be a short circuit; their difference is free of what the ends do.
+    The difference of the two resistances is that of a box without the effect of its ends. It is not
+    less than the resistance of one box: a reservoir between two would be a short circuit.
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         resistance, of_two = 1 / alone, 1 / two
@@ -67,7 +68,8 @@ def rows_at(table, loads):
 
 
 class Patches:
-    """What the realisations conduct: squares under the seal's pressure drop, at all loads."""
+    """Conductances of the realisations at all loads: per square, under the pressure drop of the
+    seal."""
 
     def __init__(self, folder, seal):
         self.along, self.across, self.ends = [], [], []
@@ -90,7 +92,7 @@ class Patches:
             self.in_rows = self.in_rows and "two_boxes_leak_rate" in run.table
             self.errors.append(errors)
             self.knows_budget = self.knows_budget and "leak_rate_error" in run.table
-            # Without a run.json nothing is known of its steps.
+            # Without a run.json nothing is known about its steps.
             budgets += run.record.get("error_budget", [{"relative_errors": {}}])
             self._take_unit(run, seal)
             self._take_slip(run)
@@ -104,13 +106,13 @@ class Patches:
                      (": " + "; ".join(self.dropped) if self.dropped else "") + ".")
         self.along, self.ends = np.array(self.along), np.array(self.ends)
         self.across = np.array(self.across) if self.across else self.along
-        # Not all grids can be compared with coarser ones.
+        # Not every grid can be compared with a coarser one.
         self.knows_grid = self.knows_budget and all(
             step["relative_errors"].get("contact grid") is not None for step in budgets)
 
     @staticmethod
     def _of_loads(run, box, seal):
-        """Conductances of one patch: alone between reservoirs, and in an endless row; errors."""
+        """Conductances of a patch: alone between reservoirs, and in an endless row; and errors."""
         table, (length, breadth) = run.table, box
         rows = [found[:1] for found in rows_at(table, seal.loads)]
         for load, row in zip(seal.loads, rows):
@@ -121,7 +123,7 @@ class Patches:
         alone = np.abs(table["leak_rate"])
         in_a_row = alone
         if "two_boxes_leak_rate" in table:
-            # Half of the bracket's width, or all of it where the rate is its upper end.
+            # Half the width of the bracket, or all of it if the leak rate is its upper end.
             of_two = table["two_boxes_error"] * np.where(table["two_boxes_error"] > 0.5, 1, 0.5)
             in_a_row, errors = in_endless_row(alone, np.abs(table["two_boxes_leak_rate"]),
                                               errors, of_two)
@@ -129,7 +131,7 @@ class Patches:
                 np.where(in_a_row > 0, errors, np.nan))
 
     def _take_unit(self, run, seal):
-        """The unit that was asked for, and what a leak rate of the scene is in it."""
+        """Set the unit of leak rates that was asked for, and the factor to it from the scene's."""
         self.unit = run.unit("leak_rate")
         self.load_unit = f" {run.unit('pressure')}".rstrip()  # as it follows a number
         if not seal.unit:
@@ -141,7 +143,7 @@ class Patches:
         self.unit = seal.unit
 
     def _take_slip(self, run):
-        """What is said of the slip length where there are several."""
+        """Set the words about the slip length, which are printed if there are several."""
         slips = run.table.get("slip_length", np.zeros(1))
         if len(set(slips)) > 1:
             length = f"{slips.max():.6g} {run.unit('slip_length')}".rstrip()
@@ -149,7 +151,7 @@ class Patches:
 
 
 def open_at_ends(along, alone):
-    """Give the first and the last patch of rows one end each that opens on a reservoir."""
+    """Give the first and the last patch along the flow one end that opens on a reservoir."""
     with np.errstate(divide="ignore"):
         for column in (0, -1):
             along[:, column] = 2 / (1 / along[:, column] + 1 / alone[:, column]) \
@@ -157,9 +159,9 @@ def open_at_ends(along, alone):
 
 
 def mean_errors(loads, errors):
-    """At each of loads that of the patches that leak there; a function of the load.
+    """The mean relative error of the patches that leak, as a function of the load.
 
-    One that is sealed has none, and takes nothing off that of the others.
+    A sealed patch has no error, and does not reduce the mean of the others.
     """
     leaks = ~np.isnan(errors)
     known = leaks.any(axis=0)
@@ -170,7 +172,7 @@ def mean_errors(loads, errors):
 
 
 def bands_of(seal, patches, loads):
-    """The Band of each of loads that the patches cover."""
+    """Yield the Band at each of the loads, which the patches must cover."""
     along, across, _ = seal.columns()
     scale = patches.factor * seal.circumference / seal.width
     rng = np.random.default_rng(1)
@@ -190,7 +192,7 @@ def bands_of(seal, patches, loads):
 
 
 def crossing(loads, rates, wanted):
-    """The load at which a falling leak rate passes the wanted one; NaN beyond the loads."""
+    """The load at which a falling leak rate passes the wanted one; NaN if beyond the loads."""
     for k in np.flatnonzero((rates[:-1] >= wanted) & (rates[1:] <= wanted) &
                             (rates[:-1] > rates[1:])):
         (a, b), (la, lb) = rates[k:k + 2], loads[k:k + 2]
@@ -200,10 +202,10 @@ def crossing(loads, rates, wanted):
 
 
 def loads_for(seal, patches, loads, bands):
-    """The loads for the wanted leak rate: of its median, 5 and 95 %.
+    """The loads at which the median, the 5 and the 95 % quantile are the wanted leak rate.
 
-    Between two loads each patch is interpolated, and not a quantile of seals: where some of the
-    patches seal on the way that would be another curve for each of them.
+    Between two loads the patches are interpolated, not the quantiles of seals: if some patches seal
+    on the way, interpolated quantiles would be off.
     """
     wanted, curves = seal.wanted, [quantiles_of(bands)]
     passed = (curves[0][:, :-1] >= wanted) & (curves[0][:, 1:] <= wanted)
@@ -222,7 +224,7 @@ def quantiles_of(bands):
 
 
 def verdict(load, band, seal, patches):
-    """What dominates the uncertainty, and what to do about it: one sentence."""
+    """One sentence about what dominates the uncertainty, and what reduces it."""
     n, load = len(patches.along), f"{load:.6g}{patches.load_unit}"
     parts = {"patches": 1.645 * band.student * band.patches, "seal": 1.645 * band.arrangement,
              "solution": band.solution}
@@ -246,7 +248,7 @@ def verdict(load, band, seal, patches):
 
 
 def doubts(seal, patches):
-    """What the band does not know of."""
+    """Yield warnings about what the band does not include."""
     if patches.dropped:
         yield f"left out: {'; '.join(patches.dropped)}"
     side = min(seal.length, seal.breadth)
@@ -281,7 +283,7 @@ def doubts(seal, patches):
 
 
 def assess(folder):
-    """Write the tables and say what they mean."""
+    """Write the tables and print what they mean."""
     seal = seal_of(scene_in(folder))
     patches = Patches(folder, seal)
     loads = seal.rows()
@@ -300,7 +302,7 @@ def assess(folder):
         print(f"  under {load:.6g}{load_unit}: {band.median:.4g} {unit}, "
               f"90 % between {band.lower:.4g} and {band.upper:.4g}")
     print("  " + verdict(loads[-1], bands[-1], seal, patches))
-    (folder / "seal_load.csv").unlink(missing_ok=True)  # of another wanted leak rate
+    (folder / "seal_load.csv").unlink(missing_ok=True)  # that of another wanted leak rate
     if seal.wanted > 0:
         found = loads_for(seal, patches, loads, bands)
         write_table(folder / "seal_load.csv",
@@ -314,7 +316,7 @@ def assess(folder):
 
 
 def main():
-    """Read the command line; the exit status is 0 unless a sentence ended it."""
+    """Read the command line and check or assess the seal."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folder", metavar="OUTPUT_DIR", type=pathlib.Path, nargs="?")
     parser.add_argument("--check", action="store_true",

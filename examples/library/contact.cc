@@ -21,7 +21,7 @@ main(int argc, char **argv)
   strait::ContactState  state;
   for (const double pressure : {0.05, 0.1, 0.2})
     {
-      state = contact.solve(pressure, &state); // a start where the last load is near
+      state = contact.solve(pressure, &state); // starts from the state at the last load
       if (layout->rank() == 0)
         std::cout << "pressure " << pressure << ", contact area " << state.contact_area
                   << ", mean gap " << state.mean_gap << std::endl;

@@ -11,8 +11,8 @@ namespace strait::python
 
   using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-  /** The rows of this rank as an array of shape (rows, nx) that is not to be written to.
-   *  It shares @p values, which @p owner keeps alive. */
+  /** The rows of this rank as a read-only array of shape (rows, nx), which shares
+   *  @p values; @p owner keeps them alive. */
   template <typename Number>
   py::array
   as_array(const SlabLayout &layout, const Number *values, const py::handle &owner)
@@ -22,11 +22,11 @@ namespace strait::python
     return std::move(array);
   }
 
-  /** The same of a field that nobody owns yet. */
+  /** The same for @p field, which the array then owns. */
   py::array as_array(SlabField field);
 
-  /** A field of the values of @p array, which holds the whole grid or the rows of this
+  /** A field with the values of @p array, which holds the whole grid or the rows of this
    *  rank. Throws InputError for another shape or a value that is not finite; @p what
-   *  names the array. Collective. */
+   *  names the array in the message. Collective. */
   SlabField as_field(const SlabLayoutPtr &layout, const Array &array, const char *what);
 } // namespace strait::python

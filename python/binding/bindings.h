@@ -20,10 +20,10 @@ namespace strait::python
 {
   namespace py = pybind11;
 
-  /** A scene and what it was made of. */
+  /** A scene, and the file and overrides that it was made from. */
   struct SceneSource
   {
-    std::string path; // of the scene file
+    std::string path; // the scene file
     Overrides   overrides;
     Scene       scene;
   };
@@ -31,7 +31,7 @@ namespace strait::python
   /** States are shared with the arrays that show their fields. */
   using State = std::shared_ptr<SealState>;
 
-  /** What the fluid does in one gap, without the mesh that it was found on. */
+  /** The flow through one gap, without its mesh. */
   struct Flow
   {
     Leakage                   leakage;
@@ -40,25 +40,24 @@ namespace strait::python
     SlabLayoutPtr             layout;
     std::vector<std::uint8_t> clusters; // NodeState of each point
 
-    /** The narrowest point of the path of least resistance; not numbers if there is none.
-     */
+    /** The narrowest point of the path of least resistance; not a number without one. */
     double x   = std::numeric_limits<double>::quiet_NaN();
     double y   = std::numeric_limits<double>::quiet_NaN();
     double gap = std::numeric_limits<double>::quiet_NaN();
 
-    /** At the points that leak, if asked for; elsewhere not a number. The current is the
-     *  leak rate per length. */
+    /** Pressure and current of the fluid at the points that leak, elsewhere not a number;
+     *  only if asked for. The current is leak rate per length. */
     std::optional<SlabField> pressure, current;
   };
 
-  /** What is left of @p flow without its mesh: on the points of @p grid, which has no
-   *  windows, as the places in it are among @p points, which may have some. */
+  /** The part of @p flow that does not need its mesh, with the clusters on @p grid, which
+   *  has no windows. Places in @p flow are those of @p points, which may have windows. */
   std::shared_ptr<Flow> record_of(const StepFlow        &flow,
                                   const SlabLayout      &points,
                                   const SlabLayoutPtr   &grid,
                                   const FluidParameters &fluid);
 
-  /** Pressure and current of @p flow, which @p solver has found. Collective. */
+  /** Set pressure and current of @p flow, which @p solver has found. Collective. */
   void add_fields(Flow &flow, const ReynoldsSolver &solver);
 
   void bind_scene(py::module_ &module);

@@ -22,7 +22,7 @@ namespace strait::python
 {
   namespace
   {
-    /** All of deal.II's start, if MPI was not running; else empty. */
+    /** MPI and deal.II as started here; empty if MPI was already running. */
     std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> own_mpi;
 
     std::map<void *, std::function<void()>> &
@@ -32,7 +32,7 @@ namespace strait::python
       return objects;
     }
 
-    /** Where an MPI runs already: what else MPI_InitFinalize does. */
+    /** If MPI is already running: do the rest of what MPI_InitFinalize does. */
     void
     join_mpi()
     {
@@ -41,7 +41,7 @@ namespace strait::python
       dealii::MultithreadInfo::set_thread_limit(1);
     }
 
-    /** The reverse; vectors that are kept for later use know communicators. */
+    /** Undo join_mpi(). Vectors that are kept for later use refer to communicators. */
     void
     leave_mpi()
     {
@@ -52,7 +52,7 @@ namespace strait::python
       sc_finalize();
     }
 
-    /** Ends all ranks with @p status: others may wait for ever for one that failed. */
+    /** End all ranks unless @p status is 0: others may wait forever for a failed one. */
     void
     end_others(const int status)
     {
@@ -60,7 +60,7 @@ namespace strait::python
         MPI_Abort(MPI_COMM_WORLD, status);
     }
 
-    /** Ten times a second, for Python's other threads must stand still for it. */
+    /** At most ten times a second, because other threads of Python must pause for it. */
     void
     check_signals_on_the_way()
     {
@@ -84,7 +84,7 @@ namespace strait::python
         leave_mpi();
     }
 
-    /** After Python's own end, which does not tell stop() of sys.exit(). */
+    /** Called after the end of Python, as stop() does not learn of sys.exit(). */
     void
     stop_own_mpi(const int status, void *)
     {

@@ -13,26 +13,27 @@ namespace strait::python
   namespace py = pybind11;
 
   /**
-   * Start MPI and the libraries that deal.II needs, unless that was done before. Called
-   * by whatever computes, so that to import the package costs nothing, and without
-   * arguments, so that those of the script stay its own. An MPI that somebody else has
-   * started, such as mpi4py, is used and left to its owner.
+   * Start MPI and the libraries that deal.II needs, unless that was done before. Whatever
+   * computes calls this, so that the import of the package costs nothing. MPI gets no
+   * arguments, so that those of the script stay its own. An MPI that is already running,
+   * started by mpi4py for instance, is used and left to its owner.
    */
   void start();
 
-  /** Add something that must be freed before MPI ends, and what does so. */
+  /** Register an object that must be freed before MPI ends, and the function for that. */
   void free_at_exit(void *object, std::function<void()> free);
 
-  /** It was freed in time. */
+  /** Remove an object that has been freed. */
   void forget_at_exit(void *object);
 
-  /** That of a communicator of mpi4py; all ranks if @p comm is None. Starts MPI. */
+  /** The communicator of an object of mpi4py; that of all ranks if @p comm is None.
+   *  Starts MPI. */
   MPI_Comm communicator_of(const py::object &comm);
 
   /**
-   * While this exists other threads of Python run and this one computes. Only one at a
-   * time does, for neither MPI nor the planner of FFTW can be shared. A handler of a
-   * signal, or an object that it lets go, may compute again in the same thread.
+   * While this exists, this thread computes and other threads of Python can run. Only one
+   * thread computes at a time, as neither MPI nor the planner of FFTW can be shared. A
+   * signal handler, or an object that it destroys, may compute again in the same thread.
    */
   class Computing
   {
@@ -43,13 +44,13 @@ namespace strait::python
   };
 
   /**
-   * Let Python act on signals; throws what its handlers raise. While Computing. Solves do
-   * so on the way, several times a second.
+   * Let Python handle signals; throws what its handlers raise. Called while Computing;
+   * solves call it several times a second.
    */
   void check_signals();
 
-  /** While this exists SIGTERM and SIGUSR1 are the program's, which ends a run after a
-   *  step; then Python has them back. */
+  /** While this exists, SIGTERM and SIGUSR1 end a run after a step, as in the program.
+   *  Afterwards Python's own handlers are restored. */
   class SignalsOfProgram
   {
   public:

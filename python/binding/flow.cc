@@ -11,8 +11,8 @@ namespace strait::python
 {
   namespace
   {
-    /** The values of @p whole, complete on rank 0, at the points of the grid where @p
-     * flow leaks. Collective. */
+    /** The transformed values of @p whole, which rank 0 has, at the grid points where
+     *  @p flow leaks; elsewhere not a number. Collective. */
     template <typename Transform>
     SlabField
     where_it_leaks(const Flow               &flow,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The module strait._core. What a user sees of it is documented in strait/_core.pyi as
-// well.
+// The module strait._core. The types that users see are also in strait/_core.pyi.
 #include <strait/base/build_info.h>
 #include <strait/base/exceptions.h>
 
@@ -13,7 +12,7 @@ namespace strait::python
     module.doc()               = "The compiled part of the package strait.";
     module.attr("__version__") = version;
 
-    // The sentences are those of the program, its exit statuses 2 and 1.
+    // With the messages of the program, which ends with status 2 or 1 on these errors.
     py::register_exception<InputError>(module, "SceneError", PyExc_ValueError).doc() =
       "A bad scene, input file or argument: one sentence that says what to do.";
     py::register_exception<ComputationError>(module, "NotConverged", PyExc_RuntimeError)

@@ -44,7 +44,7 @@ namespace strait::python
     }
 
     /** The unit of a dimension such as "length³/time"; empty if the scene does not state
-     *  what that needs. */
+     *  all the units that it needs. */
     std::string
     unit(const SceneSource &source, const std::string &dimension)
     {
@@ -93,7 +93,7 @@ namespace strait::python
       return result;
     }
 
-    /** What main() does with a scene. Returns whether all steps converged. */
+    /** Run a scene as main() does. Returns whether all steps converged. */
     bool
     run(const SceneSource &source,
         const bool         verbose,
@@ -130,7 +130,7 @@ namespace strait::python
       return broadcast(MPI_COMM_WORLD, text);
     }
 
-    /** That of the first rank, which reads the files. */
+    /** The current folder of the first rank, which reads the files. */
     std::string
     current_folder()
     {
@@ -163,17 +163,17 @@ namespace strait::python
   bind_scene(py::module_ &module)
   {
     py::class_<SceneSource, std::shared_ptr<SceneSource>>(
-      module, "Scene", "A scene file, and what it says.")
+      module, "Scene", "A scene file, and its content.")
       .def(py::init(&make), py::arg("path"), py::arg("overrides"))
       .def_readonly("path", &SceneSource::path)
       .def_readonly("overrides", &SceneSource::overrides)
       .def_property_readonly("values",
                              &values,
-                             "All parameters by their names, as texts.")
+                             "The values of all parameters as texts, by their names.")
       .def_property_readonly(
         "text",
         [](const SceneSource &source) { return source.scene.resolved; },
-        "The scene file, every default filled in.")
+        "The scene file, with every default filled in.")
       .def_property_readonly("directory",
                              [](const SceneSource &source) {
                                return source.scene.output.directory;
@@ -184,7 +184,7 @@ namespace strait::python
           const auto &[nx, ny] = source.scene.contact.grid_points;
           return py::make_tuple(ny, nx);
         },
-        "(ny, nx) of the grid, as of arrays.")
+        "(ny, nx) of the grid, the shape of arrays.")
       .def_property_readonly(
         "size",
         [](const SceneSource &source) {
@@ -196,11 +196,10 @@ namespace strait::python
            &unit,
            py::arg("dimension"),
            "The unit of a dimension such as 'length³/time'.")
-      .def(
-        "heights",
-        &heights,
-        py::arg("comm") = py::none(),
-        "The surface, an array of shape (ny, nx), or the rows of one of the ranks of comm.")
+      .def("heights",
+           &heights,
+           py::arg("comm") = py::none(),
+           "The surface, an array of shape (ny, nx), or the rows of this rank of comm.")
       .def("describe",
            &describe_scene,
            "Print what a run would do: sizes, memory, time, warnings.")

@@ -24,8 +24,7 @@ namespace strait::python
     , log(communicator, nowhere, Log::Screen::silent)
     , layout(make_layout(grid_of(scene), communicator))
   {
-    // Loads are searched on request, and what is left over by the solver must never
-    // decide.
+    // A critical load may be asked for, and must not depend on the solver's residual.
     scene.programme.find_threshold =
       scene.contact.enabled && scene.fluid.enabled && scene.contact.is_load_controlled();
     for (const std::string &warning : scene.warnings())
@@ -43,7 +42,7 @@ namespace strait::python
               "Surface/Invert, Rotate and the processing of maps do not act on "
               "heights that are given");
           heights                              = as_field(layout, *array, "heights");
-          scene.contact.adhesion.sphere_radius = 0.; // which may be another surface
+          scene.contact.adhesion.sphere_radius = 0.; // may be another surface
         }
       else
         {
@@ -66,7 +65,7 @@ namespace strait::python
   Seal::~Seal()
   {
     forget_at_exit(this);
-    if (!model) // was freed at exit
+    if (!model) // freed at exit
       return;
     const Computing computing;
     free();
@@ -94,7 +93,7 @@ namespace strait::python
     require(stage != nullptr, "Fluid/Enabled is false, so there is no flow.");
   }
 
-  /** That @p state is one of a seal like this. */
+  /** Throw InputError unless @p state has the grid, communicator and contact of this. */
   void
   Seal::require_own(const SealState &state) const
   {
@@ -135,7 +134,7 @@ namespace strait::python
     return result;
   }
 
-  /** The control, whose pressures must have a meaning. */
+  /** The control of @p at; throws InputError if its pressures have no meaning. */
   Control
   Seal::control_of(const LoadOrControl &at) const
   {
@@ -180,7 +179,7 @@ namespace strait::python
       if (from)
         require_own(*from);
       Scene of_path = scene;
-      of_path.programme.pressures.clear(); // the measure of the tolerance of jumps
+      of_path.programme.pressures.clear(); // they set the tolerance of jumps
       std::vector<Control> controls;
       for (const LoadOrControl &at : through)
         {
@@ -255,7 +254,7 @@ namespace strait::python
     for (const double load : loads)
       {
         require(load > 0., "A blow-out pressure needs a load above 0.");
-        control_of(load); // and one that has a meaning
+        control_of(load); // throws if it has no meaning
       }
     const Use use(*this);
     Scene     of_loads           = scene;
@@ -278,7 +277,7 @@ namespace strait::python
            py::arg("target"),
            py::arg("inlet_pressure") = py::none(),
            py::arg("slip_length")    = py::none(),
-           "A control whose other parts are those of the scene.")
+           "A control; parts that are not given are those of the scene.")
       .def("solve", &Seal::solve, py::arg("control") = 0., py::arg("from_") = State())
       .def("_follow", &Seal::follow, py::arg("controls"), py::arg("from_") = State())
       .def("flow", &Seal::flow, py::arg("state"), py::arg("fields") = false)
@@ -287,6 +286,6 @@ namespace strait::python
            py::arg("first") = py::none(),
            "The critical load of each slip length of the scene.")
       .def("find_blow_outs", &Seal::find_blow_outs, py::arg("loads"))
-      .def_property_readonly("rms_slope", &Seal::rms_slope, "Of the surface.");
+      .def_property_readonly("rms_slope", &Seal::rms_slope, "Rms slope of the surface.");
   }
 } // namespace strait::python

@@ -17,15 +17,16 @@
 namespace strait::python
 {
   /**
-   * The seal of a scene: its model, and the flow through the gaps that the model makes.
-   * A load alone is a control with what else the scene prescribes. All is collective.
+   * The seal of a scene: its model, and the flow through the gaps of the model. A load
+   * alone stands for a control whose other parts are those of the scene. Every function
+   * is collective.
    */
   class Seal
   {
   public:
     using LoadOrControl = std::variant<double, Control>;
 
-    /** States, jumps between them, and whether the surfaces parted before the last. */
+    /** States, jumps, and whether the surfaces parted before the last control. */
     using Followed = std::tuple<std::vector<State>, std::vector<Jump>, bool>;
 
     Seal(const SceneSource          &source,
@@ -52,8 +53,8 @@ namespace strait::python
     }
 
   private:
-    /** While this exists something is solved. A handler of a signal may interrupt that,
-     *  and must not begin again with what is half done. */
+    /** While this exists, the seal is being solved. A signal handler may interrupt that,
+     *  and must not solve a seal in an intermediate state. */
     class Use
     {
     public:
@@ -93,11 +94,11 @@ namespace strait::python
     Log                        log;
     Timers                     timers;
     SlabLayoutPtr              layout;
-    double                     slope = 0.; // of the surface, rms
+    double                     slope = 0.; // rms slope of the surface
     ContactParameters          contact;
     std::unique_ptr<FlowStage> stage;          // unless the fluid is off
     SealModel                  model;          // empty once MPI has ended
-    std::size_t                n_warnings = 0; // that were passed on
+    std::size_t                n_warnings = 0; // passed on so far
     bool                       is_used    = false;
   };
 } // namespace strait::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Values: controls, states, jumps, transitions, flows.
+// Classes of values: controls, states, jumps, transitions, flows.
 #include <pybind11/stl.h>
 
 #include "arrays.h"
@@ -22,7 +22,7 @@ namespace strait::python
       };
     }
 
-    /** A number of a part of the state, or none where that is missing. */
+    /** A number of a part of a state, or none if that part is missing. */
     template <typename Find>
     auto
     number(Find find)
@@ -55,7 +55,7 @@ namespace strait::python
                                field([](const SealState &self) {
                                  return self.contact ? &self.contact->pressure : nullptr;
                                }),
-                               "The pressure of the solid; None of a given gap.")
+                               "The contact pressure; None for a given gap.")
         .def_property_readonly("fluid_pressure",
                                field([](const SealState &self) {
                                  return self.fluid ? &self.fluid->pressure : nullptr;
@@ -68,12 +68,11 @@ namespace strait::python
                                           ? &self.contact->plasticity->indentation
                                           : nullptr;
                                }),
-                               "By how much the surface was indented so far; None where "
-                               "it does not yield.")
+                               "Indentation so far; None without Yielding.")
         .def_property_readonly(
           "first_row",
           [](const State &self) { return self->gap().layout().first_row(); },
-          "The row of the grid that is the first of the arrays on this rank.");
+          "The row of the grid with which the arrays on this rank begin.");
     }
 
     void
@@ -83,11 +82,11 @@ namespace strait::python
         .def_property_readonly(
           "control",
           [](const State &self) { return self->control; },
-          "What was prescribed.")
+          "The control that was prescribed.")
         .def_property_readonly(
           "mean_gap",
           [](const State &self) { return self->mean_gap; },
-          "Mean of the gap; closed points count as 0.")
+          "Mean gap; closed points count as 0.")
         .def_property_readonly("nominal_pressure",
                                of_contact(&ContactState::nominal_pressure),
                                "Load over nominal area.")
@@ -96,15 +95,15 @@ namespace strait::python
                                "Fraction of the grid points in contact.")
         .def_property_readonly("contact_area_corrected",
                                of_contact(&ContactState::contact_area_corrected),
-                               "The same for the continuum.")
+                               "The same for the continuum, from the perimeter.")
         .def_property_readonly("residual",
                                of_contact(&ContactState::residual),
-                               "What the contact's solver left over.")
+                               "The residual that the contact solver left.")
         .def_property_readonly("iterations",
                                number([](const SealState &self) {
                                  return self.contact ? &self.costs.iterations : nullptr;
                                }),
-                               "Of the contact's solver.")
+                               "Iterations of the contact solver.")
         .def_property_readonly("adhesive_energy",
                                number([](const SealState &self) {
                                  return self.contact && self.contact->adhesion
@@ -123,14 +122,14 @@ namespace strait::python
                                number([](const SealState &self) {
                                  return self.fluid ? &self.fluid->load : nullptr;
                                }),
-                               "What the fluid carries, over the nominal area; or None.")
+                               "Load on the fluid over nominal area; or None.")
         .def_property_readonly(
           "converged",
           [](const State &self) { return self->converged(); },
           "Whether the solvers reached what was asked of them.");
     }
 
-    /** A field of a flow, likewise. */
+    /** A field of a flow, or none; the array keeps the flow alive. */
     auto
     flow_field(std::optional<SlabField> Flow::*member)
     {
@@ -148,9 +147,7 @@ namespace strait::python
       const auto of = [](auto member) {
         return [member](const Flow &flow) { return flow.leakage.*member; };
       };
-      py::class_<Flow, std::shared_ptr<Flow>>(module,
-                                              "Flow",
-                                              "What the fluid does in one gap.")
+      py::class_<Flow, std::shared_ptr<Flow>>(module, "Flow", "The flow through one gap.")
         .def_readonly("percolates", &Flow::percolates, "Whether anything leaks.")
         .def_property_readonly("leak_rate",
                                of(&Leakage::rate),
@@ -163,12 +160,12 @@ namespace strait::python
         .def_property_readonly("status",
                                of(&Leakage::status),
                                "'ok', or a word for what failed.")
-        .def_property_readonly("cells", of(&Leakage::cells), "Of the last mesh.")
+        .def_property_readonly("cells", of(&Leakage::cells), "Cells of the last mesh.")
         .def_property_readonly("unknowns", of(&Leakage::unknowns), "On the last mesh.")
         .def_readonly("constriction_x",
                       &Flow::x,
-                      "Where the path of least resistance is narrowest; NaN without one.")
-        .def_readonly("constriction_y", &Flow::y, "Likewise.")
+                      "x of the narrowest point on the path of least resistance.")
+        .def_readonly("constriction_y", &Flow::y, "y of it; both NaN without a path.")
         .def_readonly("constriction_gap", &Flow::gap, "The gap there.")
         .def_property_readonly(
           "clusters",
@@ -176,14 +173,14 @@ namespace strait::python
             const auto &flow = self.cast<const Flow &>();
             return as_array(*flow.layout, flow.clusters.data(), self);
           },
-          "What each grid point is to the fluid: 0 closed, 1 joined to neither reservoir, "
+          "Kind of each grid point: 0 closed, 1 open and joined to neither reservoir, "
           "2 to the inlet, 3 to the outlet, 4 to both, 5 outside of the seal mesh.")
         .def_property_readonly("pressure",
                                flow_field(&Flow::pressure),
-                               "Where it leaks, elsewhere NaN; None unless asked for.")
+                               "Pressure where it leaks, else NaN; None unless wanted.")
         .def_property_readonly("current",
                                flow_field(&Flow::current),
-                               "Volume per time and width; likewise.");
+                               "Current, volume per time and width, likewise.");
     }
 
     void
@@ -198,10 +195,10 @@ namespace strait::python
                        "Jump",
                        "A discontinuity on a path of an adhesive contact.")
         .def_readonly("before", &Jump::before)
-        .def_readonly("after", &Jump::after, "Without meaning at a pull-off.")
+        .def_readonly("after", &Jump::after, "Meaningless at a pull-off.")
         .def_readonly("dissipated",
                       &Jump::dissipated,
-                      "Energy per area; nan of a pull-off.")
+                      "Energy per area; NaN for a pull-off.")
         .def_property_readonly("is_pull_off",
                                &Jump::is_pull_off,
                                "Whether the surfaces part.");
@@ -211,15 +208,15 @@ namespace strait::python
   void
   bind_states(py::module_ &module)
   {
-    py::class_<Control>(module, "Control", "What the outside prescribes.")
+    py::class_<Control>(module, "Control", "What is prescribed from outside.")
       .def_readonly("target", &Control::target, "Nominal pressure, or mean gap.")
       .def_readonly("inlet_pressure", &Control::inlet_pressure)
       .def_readonly("slip_length", &Control::slip_length);
     py::class_<SealState, State> state(
       module,
       "State",
-      "A seal, and all that its past leaves behind. Arrays share its memory, have the "
-      "shape (ny, nx), on several ranks (rows of this rank, nx), and cannot be written to.");
+      "The state of a seal, and all that its past leaves behind. Arrays share its memory "
+      "and are read-only; their shape is (ny, nx) or, on several ranks, (rows, nx).");
     bind_fields(state);
     bind_numbers(state);
     bind_flow(module);
@@ -230,15 +227,15 @@ namespace strait::python
       .def_readonly("lower", &Transition::lower)
       .def_readonly("upper", &Transition::upper)
       .def_property_readonly("middle", &Transition::middle)
-      .def_readonly("contact_area", &Transition::contact_area, "At the lower end.")
+      .def_readonly("contact_area", &Transition::contact_area, "That at the lower end.")
       .def_readonly("place", &Transition::bottleneck, "(x, y) of the last constriction.")
       .def_readonly("slip_length", &Transition::slip_length)
-      .def_readonly("n_solves", &Transition::n_solves, "States that were asked for.");
+      .def_readonly("n_solves", &Transition::n_solves, "Number of states asked for.");
     py::class_<BlowOut>(module, "BlowOut", "Inlet pressures that open and close a seal.")
       .def_readonly("load", &BlowOut::load)
       .def_readonly("opening", &BlowOut::opening, "0 if it leaks without any pressure.")
       .def_readonly("closing",
                     &BlowOut::closing,
-                    "None unless Find resealing asks for it.");
+                    "None unless Find re-sealing asks for it.");
   }
 } // namespace strait::python

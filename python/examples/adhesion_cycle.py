@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Four peaks with adhesion are pressed on a half-space and torn off again: jumps.
+"""Four peaks with adhesion are pressed on a half-space and torn off again: the contact jumps.
 
     python3 adhesion_cycle.py [GRID POINTS]
 """

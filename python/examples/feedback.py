@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How much more leaks because the fluid presses the walls apart.
+"""How much more a seal leaks because the fluid presses its walls apart.
 
     python3 feedback.py [GRID POINTS]
 """

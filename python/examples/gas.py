@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Helium through a metal contact: what a viscous gas would leak, and what a rarefied one does.
+"""Helium through a metal contact: the throughput of a viscous gas, and of a rarefied one.
 
     python3 gas.py [GRID POINTS]
 """
@@ -22,7 +22,7 @@ table = strait.sweep(scene, {"Fluid/Rarefaction": ["none", "slip", "transitional
 throughput = {}
 for model, rows in table.groups("Fluid/Rarefaction"):
     pressure = rows["Fluid/Inlet pressure"]
-    throughput[model] = rows["leak_rate"] * pressure / 2  # volumes are those at the mean
+    throughput[model] = rows["leak_rate"] * pressure / 2  # volumes are at mean pressure
     plt.loglog(pressure, throughput[model], ".-", label=model)
 viscous, rarefied = throughput["none"], throughput["transitional"]
 print(f"rarefied over viscous: {rarefied[0] / viscous[0]:.3g} at 1 kPa, "

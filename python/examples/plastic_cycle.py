@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Asperities that yield: loaded, unloaded and loaded again, a contact is not the same.
+"""Asperities that yield: unloading, and loading again, do not follow the first loading.
 
     python3 plastic_cycle.py [GRID POINTS]
 """

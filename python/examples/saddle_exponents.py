@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How the leak rate of an isolated constriction vanishes where it closes: with an exponent that
-drifts with the logarithm of 1 − p/p_c, unless the fluid does not see the last of the gap.
+"""How the leak rate of an isolated constriction vanishes as it closes: with an exponent that
+drifts with the logarithm of 1 − p/p_c, or with 3 if an immobile layer of fluid closes it first.
 
     python3 saddle_exponents.py [GRID POINTS]
 """

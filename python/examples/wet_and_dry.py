@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Water that a contact cuts off carries load, on the way up and on the way down.
+"""Water that a contact traps carries load, during loading and unloading.
 
     python3 wet_and_dry.py [GRID POINTS]
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The O-ring of prm/oring_seal.prm: what the whole of it leaks, with a band of 90 %.
+"""The O-ring of prm/oring_seal.prm: the leak rate of the whole seal, with a band of 90 %.
 
     python3 whole_seal.py [GRID POINTS]
 """

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Leakage of rough elastic seals, from Python.
 
-Three ways in, from the whole to its parts:
+There are three levels, from the whole to its parts:
 
-- `Scene` is a scene file as an object. `Scene.run` does what the program does and gives a
-  `Run`, the results in a folder; `sweep` runs many of them.
-- `Seal` is the model behind a scene: it presses a surface (`Seal.solve`, `Seal.follow`), finds
-  the flow (`Seal.flow`), and the loads at which leakage begins (`Seal.find_transition`).
-- `flow_in_gap` takes a gap and gives its leak rate, between bounds.
+- `Scene` is a scene file as an object. `Scene.run` does the same as the program and returns a
+  `Run`, the results in a folder; `sweep` runs many scenes.
+- `Seal` is the model behind a scene: it presses a surface (`Seal.solve`, `Seal.follow`), computes
+  the flow (`Seal.flow`), and finds the critical load (`Seal.find_transition`).
+- `flow_in_gap` computes the leak rate through a given gap, with its bounds.
 
-Arrays have the shape (ny, nx), as `Contact/Grid points = nx, ny`; lengths, pressures and times
-are in the units of the scene. What is wrong with a scene is a `SceneError`, a result that was
-not reached `NotConverged`, what is doubtful a `SceneWarning`.
+Arrays have the shape (ny, nx) for `Contact/Grid points = nx, ny`; lengths, pressures and times
+are in the units of the scene. A bad scene raises `SceneError`, a result that was not reached
+`NotConverged`; something doubtful is a `SceneWarning`.
 
 >>> import strait
 >>> seal = strait.Seal(strait.Scene(surface=dict(kind="sphere", amplitude=2),
@@ -23,10 +23,10 @@ not reached `NotConverged`, what is doubtful a `SceneWarning`.
 
 
 class SceneWarning(UserWarning):
-    """What is allowed in a scene, or came out of it, but should be looked at."""
+    """A setting of a scene, or a result, that is allowed but should be looked at."""
 
 
-# The compiled part looks for the class above.
+# The compiled part needs the class above.
 from ._core import (BlowOut, Control, Flow, Jump, NotConverged, SceneError, State,  # noqa: E402
                     Transition, __version__)
 from .results import Run, Table, read_table  # noqa: E402

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Types of the compiled part; what it does is said in its docstrings."""
+"""Types of the compiled part; its docstrings describe what it does."""
 from typing import Any
 
 import numpy as np

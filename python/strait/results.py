@@ -4,14 +4,14 @@
 
     from strait import Run            # or from strait_results, which needs numpy alone
     run = Run("output/quickstart")
-    run.table["leak_rate"]            # one array a column of leakage.csv, or ensemble.csv
+    run.table["leak_rate"]            # an array for each column of leakage.csv, or ensemble.csv
     run.unit("leak_rate")             # "m³/s"; "" if the scene states no units
-    run.csv("fit.csv")                # any other table of the folder, units likewise
+    run.csv("fit.csv")                # any other table of the folder, with its units
     run.table.to_pandas()             # as a DataFrame, where pandas is installed
     run.fields(4)["gap"]              # fields-4.h5: gap, pressure, labels of shape (ny, nx)
-    run.picture(4)["fluid_pressure"]  # picture-4.h5: the same thinned out, with the flow
+    run.picture(4)["fluid_pressure"]  # picture-4.h5: the same on fewer points, with the flow
 
-On the command line it prints the table of a run, numbers shortened:
+On the command line it prints the table of a run, with shortened numbers:
 
     strait_results.py OUTPUT_DIR
 """
@@ -41,7 +41,7 @@ def _column(texts):
 
 
 class Table(dict):
-    """Columns by their names, arrays of equal length.
+    """Columns by their names, as arrays of equal length.
 
     >>> table = Table({"seed": np.array([1, 1, 2]), "leak_rate": np.array([3., 2., 5.])},
     ...               {"leak_rate": "m³/s"})
@@ -64,14 +64,14 @@ class Table(dict):
         return len(next(iter(self.values()))) if self else 0
 
     def rows(self, which):
-        """The rows that an index, a slice or an array of truth values names."""
+        """The rows that a slice, or an array of indices or truth values, selects."""
         return Table({name: values[which] for name, values in self.items()}, self.units)
 
     def groups(self, column):
-        """Each value of a column with the rows that have it, in the order of the table; those
-        whose value is not known are one group."""
+        """Each value of a column with the rows that have it, in the order of the table; rows whose
+        value is NaN are one group."""
         values = self[column]
-        known = values == values  # NaN is no number's equal, not even its own
+        known = values == values  # NaN does not even equal itself
         found = dict.fromkeys(value if value == value else np.nan for value in values.tolist())
         return [(value, self.rows(values == value if value == value else ~known))
                 for value in found]
@@ -86,7 +86,7 @@ class Table(dict):
     def __str__(self):
         titles = [name + (f" ({self.units[name]})" if self.units.get(name, "1") not in ("", "1")
                           else "") for name in self]
-        # One a row of the table, below its name; as many beside each other as a terminal holds.
+        # A line for each column, in blocks of as many rows of the table as fit a terminal.
         cells = [[f"{value:.6g}" if isinstance(value, float) else str(value)
                   for value in values] for values in zip(*(v.tolist() for v in self.values()))]
         widths = [max(map(len, row)) for row in cells]
@@ -107,7 +107,7 @@ class Table(dict):
 
 
 def read_table(path, units=None):
-    """The columns of a table: texts where there are some and no number, else numbers or NaN."""
+    """Read a table. A column with texts and no number is one of texts, others are of numbers."""
     with open(path, newline="", encoding="utf-8", errors="replace") as file:
         reader = csv.DictReader(file, skipinitialspace=True)
         names, rows = reader.fieldnames or [], list(reader)
@@ -121,29 +121,30 @@ class Run:
     def __init__(self, folder):
         self.folder = pathlib.Path(folder).absolute()  # whatever the current folder is later
         record = self.folder / "run.json"
-        # Absent while the run goes on.
+        # It is absent while the run goes on.
         self.record = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
-        # Of several realisations each has a folder with a table of its own.
+        # Each of several realisations has a folder with a table of its own.
         is_ensemble = (self.folder / "ensemble.csv").exists()
         self._units = self.record.get("column_units") or (
             self._units_of_realisations() if is_ensemble else {})
         self.table = self.csv("ensemble.csv" if is_ensemble else "leakage.csv")
-        self.keeper = None  # of a folder that is to last as long as this
+        self.keeper = None  # removes a temporary folder after the end of this object
 
     def csv(self, name):
-        """The columns of a table by their names. Raises FileNotFoundError, which names those that
-        there are."""
+        """The columns of a table by their names. Raises FileNotFoundError, which names the tables
+        that exist."""
         if not (self.folder / name).exists():
             known = ", ".join(sorted(path.name for path in self.folder.glob("*.csv"))) or "none"
             raise FileNotFoundError(f"{self.folder} has no {name}; its tables: {known}")
         return read_table(self.folder / name, self._units)
 
     def unit(self, column):
-        """The unit of a column of any table, empty of texts and where the scene states none."""
+        """The unit of a column of any table; empty for texts, and if the scene states no units."""
         return self._units.get(column, "")
 
     def _units_of_realisations(self):
-        """The first one's, and those of loads that only ensemble.csv has; it has no run.json."""
+        """Units of the first realisation, and of loads that only ensemble.csv has; an ensemble has
+        no run.json."""
         record = self.folder / "realisation-1" / "run.json"
         if not record.exists():
             return {}
@@ -152,12 +153,12 @@ class Run:
                                 units.get("pressure", "")), **units}
 
     def fields(self, step):
-        """All data sets of fields-STEP.h5, those of a group as a dictionary of their own; and the
-        attributes of each under "attributes"."""
+        """All data sets of fields-STEP.h5, those of a group in a dictionary of their own. Each
+        dictionary has the attributes of its group under "attributes"."""
         return self._datasets(f"fields-{step}.h5")
 
     def picture(self, step):
-        """The same of picture-STEP.h5."""
+        """All data sets of picture-STEP.h5, likewise."""
         return self._datasets(f"picture-{step}.h5")
 
     def _datasets(self, name):

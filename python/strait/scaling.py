@@ -6,38 +6,38 @@
     fit = fit_exponent(rows["reduced_load"], rows["leak_rate"])
     print(f"{fit.exponent:.3f} ± {fit.error:.3f}")
 
-Needs numpy alone, but for closing_constant(), which takes scipy.
+Needs numpy alone, except closing_constant(), which needs scipy.
 """
 import typing
 
 import numpy as np
 
-LEAK_RATE_EXPONENT = 69 / 20  # as the paper has it, of a viscous fluid between dry elastic walls
-# Where the leak rate falls exponentially with the load. Half of its nearest end takes loads in at
-# which the power law has begun, a larger farthest one those at which there is hardly any contact.
+LEAK_RATE_EXPONENT = 69 / 20  # that of the paper, for a viscous fluid between dry elastic walls
+# Reduced loads at which the leak rate falls exponentially with the load. Half of the lower end
+# would include the beginning of the power law, a larger upper end loads with hardly any contact.
 EXPONENTIAL_DECAY = (0.3, 0.7)
-SADDLE = -0.1  # the constant of the law of closing, fitted to a square saddle at ε = 1e-2 to 1e-4
+SADDLE = -0.1  # C of closing_law(), fitted to a square saddle at ε = 1e-2 to 1e-4
 
 
 class Fit(typing.NamedTuple):
     """A power β of a quantity ∝ ε^β over a window of ε."""
     start: float     # smallest ε
-    end: float       # largest
+    end: float       # largest ε
     exponent: float  # β
-    error: float     # standard error of the fit; 0 of two points
-    points: int      # how many there are
+    error: float     # standard error of the fit; 0 for two points
+    points: int      # number of points
 
 
 class Exponents(typing.NamedTuple):
     """Local exponents of a constriction that closes, each of a quantity ∝ ε^β."""
-    gap: np.ndarray        # its narrowest point
-    width: np.ndarray      # half that of the channel there
-    length: np.ndarray     # along the channel, within which the gap doubles
+    gap: np.ndarray        # at the narrowest point
+    width: np.ndarray      # half the width of the channel there
+    length: np.ndarray     # along the channel, over which the gap doubles
     leak_rate: np.ndarray  # ∝ gap^(5/2) · width
 
 
 def within(reduced_load, window):
-    """Which reduced loads lie in a window: that of a step is the one asked for but for rounding."""
+    """Which reduced loads lie in a window; those of steps are the wanted ones only to rounding."""
     return (reduced_load >= window[0] - 1e-9) & (reduced_load <= window[1] + 1e-9)
 
 
@@ -50,8 +50,8 @@ def _fit_line(x, y):
 
 
 def fit_exponent(reduced_load, values):
-    """A Fit to positive values by least squares of logarithms; None where there are not two
-    different loads."""
+    """A Fit to positive values by least squares of logarithms; None without two different
+    loads."""
     if len(reduced_load) == 0 or np.min(reduced_load) == np.max(reduced_load):
         return None
     exponent, error = _fit_line(np.log(reduced_load), np.log(values))
@@ -66,7 +66,7 @@ def neighbours(reduced_load):
 
 
 def decay_rate(reduced_load, leak_rate):
-    """s of a leak rate ∝ exp(s ε) by least squares over EXPONENTIAL_DECAY; NaN where there are not
+    """The rate s of a leak rate ∝ exp(s ε), by least squares over EXPONENTIAL_DECAY; NaN without
     two different loads in that range."""
     chosen = within(reduced_load, EXPONENTIAL_DECAY)
     x = reduced_load[chosen]
@@ -76,15 +76,15 @@ def decay_rate(reduced_load, leak_rate):
 
 
 def crossover(rate):
-    """The reduced load at which exp(s ε) has the local exponent LEAK_RATE_EXPONENT, of a
-    decay_rate(); NaN where that would be above 1, so that there is none."""
+    """The reduced load at which exp(s ε), with s from decay_rate(), has the local exponent
+    LEAK_RATE_EXPONENT; NaN if it would be above 1, so that there is no crossover."""
     return LEAK_RATE_EXPONENT / rate if rate >= LEAK_RATE_EXPONENT else np.nan
 
 
 def closing_law(reduced_load, constant=SADDLE):
-    """Exponents of slender-contact asymptotics (doc/theory.md), which drift with
-    Λ = 1 + √(½ ln(1/ε) + C); formal, no proof. NaN where there is no Λ: the constriction is no
-    small part of the contact there."""
+    """Exponents of slender-contact asymptotics (doc/theory.md), formal and without proof, which
+    drift with Λ = 1 + √(½ ln(1/ε) + C). NaN where Λ is not real: there the constriction is not a
+    small part of the contact."""
     with np.errstate(invalid="ignore"):
         slenderness = 1 + np.sqrt(constant - 0.5 * np.log(reduced_load))
     gap, width = 1 + 0.5 / slenderness, 1 / (2 + slenderness**-2)
@@ -92,8 +92,8 @@ def closing_law(reduced_load, constant=SADDLE):
 
 
 def closing_constant(reduced_load, exponents):
-    """C of the closing_law() whose exponents of the leak rate are those measured in the mean; NaN
-    where none would do."""
+    """C of the closing_law() whose exponents of the leak rate have the same mean as the measured
+    ones; NaN if there is none."""
     from scipy.optimize import brentq
 
     if len(reduced_load) == 0:
@@ -102,8 +102,8 @@ def closing_constant(reduced_load, exponents):
     def excess(constant):
         return np.sum(closing_law(reduced_load, constant).leak_rate - exponents)
 
-    # From the constant at which the largest ε would have no Λ to one at which the exponents are
-    # those of the limit: they fall all the way.
+    # From the least constant with which the largest ε has a Λ to one with which the exponents are
+    # those of the limit ε → 0: they fall all the way.
     least, most = 0.5 * np.log(np.max(reduced_load)), 1e7
     if not excess(least) > 0 > excess(most):
         return np.nan

@@ -17,27 +17,27 @@ from . import _core
 from .results import Run
 
 NO_FILE = os.devnull  # the empty scene file
-TEMPORARY = ""  # in place of a folder for the results
-# The parameters that are paths, and the word that each may have in place of one.
+TEMPORARY = ""  # stands for a temporary folder for the results
+# The parameters that are paths, and the word that each may have instead.
 PATHS = {"Surface/File": "", "Surface/Second file": "", "Fluid/Mesh": "",
          "Seal/Pressure profile": "hertz"}
 
 
 def _plain(name: str) -> str:
-    """One form of a name, however it is written."""
+    """The same form of a name, however it is written."""
     return re.sub(r"[\s_-]+", " ", name.replace("'", "").lower())
 
 
 @functools.lru_cache(maxsize=1)
 def _known_names() -> dict[str, str]:
-    """Of parameters and sections, by their plain forms."""
+    """Names of parameters and sections, by their plain forms."""
     names = list(_core.Scene(NO_FILE, []).values)
     names += {name[:k] for name in names for k, c in enumerate(name) if c == "/"}
     return {_plain(name): name for name in names}
 
 
 def _full_name(name: str) -> str:
-    """The name as the program knows it; of an unknown one, its section."""
+    """The name as the program writes it; for an unknown one, at least that of its section."""
     known = _known_names()
     if _plain(name) in known:
         return known[_plain(name)]
@@ -81,7 +81,7 @@ def _flatten(parameters: Mapping[str, Any], section: str = "") -> Iterator[tuple
 
 
 def _from_here(path: str) -> str:
-    """The same path, which then no longer depends on the current folder, that of the first rank.
+    """An absolute path, from one that counts from the current folder of the first rank.
     Collective."""
     if os.path.isabs(path):
         return path
@@ -100,11 +100,11 @@ def _overrides(*parameters: Mapping[str, Any] | None) -> list[str]:
 
 
 class Scene(_core.Scene):
-    """A scene: all that the program is told in a scene file, checked.
+    """A scene: the content of a scene file, checked.
 
-    Parameters are those of doc/parameters.md, by their names or as keywords, a dictionary for
-    a section; values are numbers, truth values, texts or sequences of them. The relative path of
-    a file counts from the folder that is the current one when it is given:
+    Parameters are those of doc/parameters.md, given by their names or as keywords with a dictionary
+    for each section. Values are numbers, truth values, texts or sequences of them. The relative
+    path of a file counts from the folder that is the current one when it is given:
 
     >>> a = Scene({"Contact/Grid points": 128, "Surface/Kind": "square saddle"})
     >>> b = Scene(contact=dict(grid_points=128), surface=dict(kind="square saddle"))
@@ -152,7 +152,7 @@ class Scene(_core.Scene):
 
     @property
     def units(self) -> dict[str, str]:
-        """Units of what a state or a flow has, by name; empty where the scene states none.
+        """Units of the quantities of a state or a flow, by name; empty if the scene states none.
 
         >>> Scene(units=dict(length="mm", pressure="MPa"), surface=dict(size=1)).units["gap"]
         'mm'
@@ -168,13 +168,12 @@ class Scene(_core.Scene):
             resume: bool = False, force: bool = False) -> Run:
         """Run the scene as the program does; collective on all ranks.
 
-        Results go to the folder `output`, or where the scene says; where neither says
-        anything, to a temporary folder that lasts as long as what is returned, on the first
-        rank, and without pictures. A file whose Output/Directory is the default says nothing.
-        `verbose` shows the log, `resume` and `force` are the options of the program. Ctrl-C
-        ends the run within its step; those that are done stay, and it can be resumed. Raises
-        NotConverged, whose attribute `run` has the results, if a step did not reach what was
-        asked.
+        Results go to the folder `output`, or else to Output/Directory of the scene. If that is
+        not set, or has the default value in a scene file, they go, without pictures, to a
+        temporary folder that exists as long as the returned object on the first rank. `verbose`
+        shows the log; `resume` and `force` are the options of the program. Ctrl-C ends the run
+        within its step; complete steps are kept, and the run can be resumed. Raises NotConverged,
+        whose attribute `run` has the results, if a step did not reach what was asked.
 
         >>> run = Scene(contact=dict(grid_points=64, enabled=False), fluid=dict(viscosity=1/12),
         ...             surface=dict(kind="expression", expression="1 + 0*x")).run()
@@ -196,7 +195,7 @@ class Scene(_core.Scene):
         converged = scene._run(verbose, resume, force or temporary is not None)
         run = Run(scene.directory)
         run.keeper = keeper
-        _core.wait_for_all_ranks()  # the folder may go when the first of them is done with it
+        _core.wait_for_all_ranks()  # the first may remove the folder
         if not converged:
             error = _core.NotConverged(
                 "Some steps, or states that a critical load or blow-out pressure rests on, did "
@@ -208,14 +207,14 @@ class Scene(_core.Scene):
 
 
 class _TemporaryFolder:
-    """Is removed when nobody needs it any more."""
+    """A folder that is removed when nothing refers to this object any more."""
 
     def __init__(self, path: str):
         self.remove = weakref.finalize(self, shutil.rmtree, path, ignore_errors=True)
 
 
 def unmasked(heights: np.ndarray | None) -> np.ndarray | None:
-    """Raises SceneError if a mask hides points: what lies behind it would be taken for heights."""
+    """The heights. Raises SceneError if a mask hides points, which would be taken for heights."""
     if np.ma.is_masked(heights):
         raise _core.SceneError("The heights have masked points; fill them first.")
     return heights
@@ -223,7 +222,7 @@ def unmasked(heights: np.ndarray | None) -> np.ndarray | None:
 
 def statistics(heights: np.ndarray, size: float | tuple[float, float] = 1.) -> dict[str, float]:
     """Rms height, slope and curvature, highest and lowest point of a periodic surface on a box
-    of `size`; slope and curvature are those of the sum of waves through the points.
+    of `size`. Slope and curvature are those of the sum of waves through the points.
 
     >>> x = np.linspace(0, 1, 32, endpoint=False)
     >>> round(statistics(np.cos(2 * np.pi * x) * np.ones((32, 1)))["rms_slope"], 6)

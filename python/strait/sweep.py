@@ -21,7 +21,7 @@ from .results import Table
 from .scene import TEMPORARY, Scene, _flatten
 
 
-# Variables of mpirun with which another process would take itself for this rank.
+# Variables of mpirun that would make another process take itself for this rank.
 OF_A_RANK = ("OMPI_COMM_", "OMPI_UNIVERSE_", "OMPI_MCA_orte_", "OMPI_MCA_ess", "OMPI_MCA_pmix",
              "PMIX_")
 
@@ -29,13 +29,13 @@ OF_A_RANK = ("OMPI_COMM_", "OMPI_UNIVERSE_", "OMPI_MCA_orte_", "OMPI_MCA_ess", "
 def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]], *,
           processes: int = 1, table: str = "leakage.csv",
           output: str | os.PathLike | None = None, force: bool = False) -> Table:
-    """Run a scene for all combinations of some parameters' values, or for each mapping of a
-    list, and put the tables of the runs under each other.
+    """Run a scene for all combinations of values of some parameters, or for each mapping of a
+    list, and join the tables of the runs one below the other.
 
-    The first columns are the parameters, with the scene's own value where a mapping has none.
-    `table` names the file of each run that is read; `output` a folder that keeps the runs,
-    numbered from 1, and `force` lets them replace the results of other scenes there;
-    `processes` how many run side by side. Steps that fail say so in the column status, as do
+    The first columns are the parameters, with the value of the scene where a mapping has none.
+    `table` is the file that is read from each run, `output` a folder that keeps the runs,
+    numbered from 1, where `force` allows to replace the results of other scenes, and `processes`
+    the number that run side by side. Steps that fail are marked in the column status, as are
     runs that fail altogether.
 
     >>> scene = Scene(contact=dict(grid_points=64), fluid=dict(enabled=False),
@@ -52,7 +52,7 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
     jobs: list[tuple] = []
     names = dict.fromkeys(name for point in points for name in point)
     for number, point in enumerate(points, 1):
-        own = scene.replace(point)  # what is wrong with a scene is said before the first run
+        own = scene.replace(point)  # raises errors of any scene before the first run
         point.update({name: own[name] for name in names if name not in point})
         folder = None if output is None else pathlib.Path(output) / str(number)
         jobs.append((own.path, own.overrides, folder, table, force))
@@ -75,9 +75,9 @@ def _run(path: str, overrides: list[str], folder: os.PathLike | None, table: str
             return Table({"status": np.array(["failed"])})
         run = error.run
     result = run.csv(table)
-    _core.wait_for_all_ranks()  # before a temporary folder goes
+    _core.wait_for_all_ranks()  # before a temporary folder is removed
     if run.keeper:
-        run.keeper.remove()  # here, for a Ctrl-C while an object goes would be lost
+        run.keeper.remove()  # here, as a Ctrl-C in a finaliser would be lost
     return result
 
 
@@ -127,8 +127,8 @@ def _share_out(jobs: list[tuple], workers: list[_Worker]) -> list[Table]:
 class _Worker:
     """Another process that runs scenes, one after the other.
 
-    Not multiprocessing: that would import the user's script again, and a fork would inherit
-    an MPI that runs.
+    Not one of multiprocessing, which would import the script of the user again; and a fork would
+    inherit a running MPI.
     """
 
     def __init__(self, folder: str):
@@ -139,14 +139,14 @@ class _Worker:
                            PYTHONPATH=os.pathsep.join(filter(None, map(str, [
                                pathlib.Path(__file__).parents[1],
                                os.environ.get("PYTHONPATH")]))))
-        # In a session of its own, for Ctrl-C is for this process, which ends the others.
+        # In a session of its own: Ctrl-C goes to this process, which ends the others.
         self.process = subprocess.Popen(
             [sys.executable, "-c", "from strait.sweep import _work; _work()", folder],
             env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
             start_new_session=True)
 
     def run(self, job: tuple) -> Table:
-        """The table of one run, or the exception that it ended with."""
+        """Return the table of a run, or raise the exception that it ended with."""
         try:
             pickle.dump(job, self.process.stdin)
             self.process.stdin.flush()
@@ -158,16 +158,16 @@ class _Worker:
         return answer
 
     def end(self) -> None:
-        """At once."""
+        """End the process at once."""
         self.process.kill()
         self.process.communicate()
 
 
 def _work() -> None:
-    """What the other process does, until its input ends."""
+    """Run scenes in the other process, until its input ends."""
     tempfile.tempdir = sys.argv[1]
     answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what a library prints is no answer
+    os.dup2(2, 1)  # keep what libraries print away from the answers
     while True:
         try:
             job = pickle.load(sys.stdin.buffer)

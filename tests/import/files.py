@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of every kind as instruments and programs write them, of one map of 12 x 10 points."""
+"""One map of 12 x 10 points in files of every kind, as instruments and programs write them."""
 import bz2
 import gzip
 import io
@@ -13,9 +13,9 @@ import numpy as np
 NX, NY = 12, 10
 SIZE = 24e-6, 10e-6            # m
 Y, X = np.mgrid[0:NY, 0:NX]
-# Micrometres with one digit behind the point, no row or column of equal steps, no symmetry.
+# Micrometres with one digit after the point, no row or column of equal steps, no symmetry.
 MICRONS = np.round(.8 + 2 * np.sin(.9 * X + .4 * Y**1.5) + .1 * Y, 1)
-HOLE = 3, 4                    # row and column of the missing point of some kinds
+HOLE = 3, 4                    # row and column of the missing point in some files
 
 
 def rows(separator, decimal="."):
@@ -60,7 +60,7 @@ def x_axis():
 
 
 def rounded_axes(with_y):
-    """Coordinates that go by 0.31, of which one digit is printed."""
+    """Axes with steps of 0.31, printed to one digit."""
     lines = [" ".join([".0"] * with_y + [f"{.31 * x:.1f}" for x in range(NX)])]
     lines += [" ".join([f"{.31 * y:.1f}"] * with_y + [row])
               for y, row in enumerate(rows(" ").splitlines())]
@@ -74,7 +74,7 @@ def quoted(text, separator=","):
 
 SIDES = "Width: 24 um\nHeight: 10 um\n"
 SIDES_AND_UNIT = SIDES + "z unit: um\n"
-# Texts that say it all: name, text.
+# Texts that state everything: name, text.
 COMPLETE = {
     "gwyddion.txt": gwyddion_header("Channel", "Width", "Height", "Value units") + rows("\t"),
     "gwyddion_german.txt": gwyddion_header("Kanal", "Breite", "Höhe", "Value units")
@@ -125,7 +125,7 @@ COMPLETE = {
     "stated_twice.txt": "Width: 24 um\nHeight: 10 um\nUnit: um\nHeight: 10000 nm\n" + rows(" "),
 }
 
-# As many lines as Gwyddion writes, or one less, whose order means nothing: name, header.
+# Headers of as many lines as Gwyddion's, or one less, whose order means nothing: name, header.
 NOT_OF_GWYDDION = {
     "height_first.txt": "# Height: 10 um\n# Width: 24 um\n# Value units: um\n",
     "steps.txt": "# dx: 2 um\n# dy: 1 um\n# unit: um\n",
@@ -135,8 +135,8 @@ NOT_OF_GWYDDION = {
 }
 COMPLETE.update({name: header + rows(" ") for name, header in NOT_OF_GWYDDION.items()})
 
-# Texts that lack something, or can be read in several ways: text, words of the refusal, the
-# options that settle it.
+# Texts that lack something, or can be read in several ways: name, text, words of the refusal,
+# and the options that decide.
 IN_NM = ["--size", "24, 10 um", "--unit", "um"]
 XY = ["--xy-unit", "um", "--unit", "um"]
 TWICE = gwyddion_header("Channel", "Width", "Height", "Value units")
@@ -283,7 +283,7 @@ def bcr(encoding="utf-16-le"):
 
 
 def write_arrays(folder):
-    """Files of arrays; their names."""
+    """Write files of arrays to a folder."""
     import h5py
     from scipy.io import savemat
 
@@ -308,7 +308,7 @@ def write_arrays(folder):
             file[name].attrs["unit"] = "um"
             heights.dims[i].attach_scale(file[name])
     write_netcdf(path("classic.nc"), 2. * np.arange(NX), 1. * np.arange(NY), MICRONS)
-    # MATLAB 7.3 stores by columns, behind a block of its own.
+    # MATLAB 7.3 stores arrays by columns, after a header of its own.
     with h5py.File(path("matlab73.mat"), "w", userblock_size=512) as file:
         file["heights"], file["number"] = MICRONS.T, np.ones((1, 1))
     with open(path("matlab73.mat"), "r+b") as file:
@@ -316,7 +316,7 @@ def write_arrays(folder):
 
 
 def write_netcdf(path, x, y, values, dtype="d", **attributes):
-    """A classic file with heights(x, y), of which row 0 is y[0]."""
+    """Write a classic file with heights(x, y); row 0 of the values is at y[0]."""
     from scipy.io import netcdf_file
 
     with netcdf_file(path, "w") as file:
@@ -333,7 +333,7 @@ def write_netcdf(path, x, y, values, dtype="d", **attributes):
 
 
 def packed():
-    """Compressed text: name, content."""
+    """Text compressed or in another encoding: name, content."""
     text = COMPLETE["gwyddion_german.txt"].encode()
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as file:
@@ -346,7 +346,7 @@ def packed():
 
 
 def wyko(mult=1):
-    """Text of Wyko's Vision: a line for each x, from the top, in waves of 500 nm."""
+    """A text of Wyko's Vision: a line for each x, from the top, in wavelengths of 500 nm."""
     header = ("Wyko ASCII Data File Format 0\t0\t1\nX Size\t12\nY Size\t10\n"
               "Block Name\tType\tLength\tValue\nWavelength\t7\t4\t500\nAspect\t7\t4\t0.5\n"
               f"Pixel_size\t7\t4\t0.002\nMult\t7\t4\t{mult}\nRAW_DATA\t3\t480\t\n")

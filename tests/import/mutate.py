@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Damage a file in many ways and see that each is read, or refused with one sentence.
+"""Damage a file in many ways, and check that each copy is read, or refused with one sentence.
 
     mutate.py FILE RUNS [SEED]
 
-Every run is a process of its own, within the bounds of strait_import. A file that ends its reader
-by a signal, or keeps it busy beyond the time, ends this process alone, and strait_import says so;
-they are counted. Exit status 1, and the file is kept beside FILE, if there is anything else than a
-map or one sentence.
+Each run is a process of its own, within the bounds of strait_import. A copy that makes its reader
+crash or exceed the time ends this process alone, as strait_import reports; such runs are counted.
+After any other outcome than these, a map or one sentence, the copy is kept beside FILE, and the
+exit status is 1.
 """
 import argparse
 import collections
@@ -35,7 +35,7 @@ def damaged(content, chance):
     for _ in range(chance.choice((1, 1, 2, 4, 16))):
         if not content:
             break
-        # Headers decide; half of the damage goes there.
+        # Headers matter most; half of the damage goes there.
         place = chance.randrange(min(len(content), chance.choice((600, len(content)))))
         kind = chance.randrange(6)
         if kind == 0:
@@ -56,7 +56,7 @@ def damaged(content, chance):
 
 
 def outcome(path, scratch):
-    """"read" or refused, "killed" by a signal, "endless", or "error"."""
+    """"read" (or refused), "killed" by a signal, "endless" or "error"."""
     child = os.fork()
     if child == 0:
         status = 1
@@ -80,7 +80,7 @@ def outcome(path, scratch):
 
 
 def mutate(path, n_runs, chance, keep=False):
-    """How often each outcome was met."""
+    """Read damaged copies of a file; return how often each outcome was met."""
     with open(path, "rb") as file:
         content = file.read()
     counts = collections.Counter()

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""strait_import: files of all kinds, ambiguous ones, and damaged ones.
+"""Tests of strait_import with files of all kinds, ambiguous ones, and damaged ones.
 
-Files of instruments are read where they are: in the folder that STRAIT_MAPS names, or else in
-../shared/data/maps beside the project. The program's own part is tested where STRAIT_PROGRAM names
-it.
+Files of instruments are read from the folder that STRAIT_MAPS names, or else from
+../shared/data/maps beside the project, if it exists. The program strait is tested with the same
+files if STRAIT_PROGRAM names it.
 """
 import gzip
 import hashlib
@@ -92,7 +92,7 @@ class Case(unittest.TestCase):
             self.read(path, *options)
 
     def check_exit(self, path, words, *options):
-        """The same, of the program."""
+        """The same of strait_import as a program, which writes no map."""
         result = self.run_tool(path, *options)
         self.assertEqual(result.returncode, 2, result.stdout)
         self.assertRegex(result.stderr, words)
@@ -136,7 +136,7 @@ class Text(Case):
                 self.check_map(self.write("hole.txt", header + "\n".join(lines)), hole=True)
 
     def read_edge(self, text, separator=";"):
-        """A map of which the first row is another text; the missing points of its rows."""
+        """Read a map whose first row is another text; return how many points each row lacks."""
         header = files.SIDES + "z unit: um\n"
         below = files.rows(separator).split("\n", 1)[1]
         return np.isnan(self.read(self.write("edge.csv", header + text + "\n" + below))[0]).sum(1)
@@ -152,11 +152,11 @@ class Text(Case):
         for ornament in ("---- " * files.NX, "* " * files.NX, ";".join(["um"] * files.NX)):
             header = files.SIDES + "z unit: um\n" + ornament + "\n"
             self.check_map(self.write("edge.txt", header + files.rows(" ")))
-        # Of cells that are empty nobody knows whether they are points.
+        # Empty cells may be missing points or nothing.
         for separator in ";\t,":
             with self.assertRaisesRegex(Refused, "has empty cells only in line 4"):
                 self.read_edge(separator * (files.NX - 1), separator)
-        # A spreadsheet pads all lines alike.
+        # A spreadsheet pads all lines in the same way.
         padding = ";" * (files.NX - 2)
         text = "".join(line + padding + "\n" for line in
                        ("Width;24 um", "Height;10 um", "Unit;um", ";"))
@@ -177,7 +177,7 @@ class Text(Case):
         for value in ("-9999,0", "-9999 um", "none"):
             header = files.SIDES + "z unit: um\nNODATA_value: " + value + "\n"
             self.check_refusal(self.write("mark.txt", header + "\n".join(lines)), "is no number")
-        # How many points are missing is no mark.
+        # The number of missing points is not a mark.
         for statement in ("Missing points: 0", "Invalid data: 17", "# NaN: 17"):
             header = files.SIDES + "z unit: um\n" + statement + "\n"
             self.check_map(self.write("count.txt", header + files.rows(" ")))
@@ -190,14 +190,14 @@ class Text(Case):
             self.check_refusal(path, "cannot have the --size", "--unit", "um", "--size", size)
 
     def test_axis_with_a_gap(self):
-        """Of whole numbers, which may also be rounded: it is refused whatever is said of it."""
+        """Whole numbers may be rounded, so that an axis with a gap is refused with any option."""
         steps = [x + (x > 5) for x in range(files.NX)]
         path = self.write("gap.txt", " ".join(map(str, steps)) + "\n" + files.rows(" "))
         self.check_refusal(path, "--as axes.*--as matrix")
         self.check_refusal(path, "no first row.* of equal steps", "--as", "axes", *files.IN_NM)
 
     def test_empty_corner(self):
-        """A first point that was not measured is no corner of axes."""
+        """A missing first point is not taken for the corner of axes."""
         text = ";".join(["", *files.rows(";").split(";")[1:]])
         path = self.write("corner.txt", "Width: 24 um\nHeight: 10 um\nUnit: um\n" + text)
         heights, *_ = self.read(path)
@@ -232,7 +232,7 @@ class Arrays(Case):
                 files.write_netcdf(path, x[::step_x], y[::step_y],
                                    files.MICRONS[::step_y, ::step_x])
                 self.check_map(path)
-        # Coordinates that were rounded are not refused.
+        # Rounded coordinates are not refused.
         files.write_netcdf(path, x + .02 * (x % 4), y, files.MICRONS)
         heights, *_ = self.read(path)
         np.testing.assert_allclose(heights, files.MICRONS * 1e-6)
@@ -241,8 +241,7 @@ class Arrays(Case):
         self.check_refusal(path, "coordinates 'x' without equal steps")
 
     def test_scales_of_netcdf4(self):
-        """Dimensions are known by their names, also those without coordinates, and in each group
-        by its own."""
+        """Dimensions are known by their names, also without coordinates; each group has its own."""
         import h5py
 
         path = os.path.join(self.folder, "map.h5")
@@ -288,7 +287,7 @@ class Arrays(Case):
         self.check_refusal(path, "a side of 240 and 12 points in steps of 2, which contradict")
         self.check_map(path, "--size", "24, 10 um")
         path = os.path.join(self.folder, "attributes.h5")
-        for side, step in ((24., 2.), (24., -2.), (22., 2.), (240., 2.)):   # the last of neither
+        for side, step in ((24., 2.), (24., -2.), (22., 2.), (240., 2.)):   # the last is wrong
             with h5py.File(path, "w") as file:
                 file["height"] = files.MICRONS
                 file["height"].attrs.update({"unit": "um", "lateral_unit": "um", "lx": side,
@@ -324,7 +323,7 @@ class Arrays(Case):
                 np.testing.assert_allclose(self.read(path)[1:], np.multiply(size, 1e-6))
 
     def test_unit_of_all_lengths(self):
-        """As contact.engineering writes it: with the coordinates only."""
+        """contact.engineering states the unit of lengths only with the coordinates."""
         path = os.path.join(self.folder, "map.nc")
         with netcdf_file(path, "w") as file:
             for name, n, length in (("x", files.NX, 24.), ("y", files.NY, 10.)):
@@ -334,7 +333,7 @@ class Arrays(Case):
                 along.length, along.periodic, along.length_unit = length, 0, b"um"
             file.createVariable("heights", "f8", ("x", "y"))[:] = files.MICRONS.T
         self.check_map(path)
-        # What the heights state of themselves prevails, under either name.
+        # A unit that the heights themselves state prevails, under either name.
         for attribute in ("unit", "units"):
             with netcdf_file(path, "a") as file:
                 heights = file.variables["heights"]
@@ -354,10 +353,10 @@ class Arrays(Case):
             self.check_map(path, *["--size", "24, 10 um"] * is_refused)
         files.write_netcdf(path, x, y, files.MICRONS, lx=.024, ly=.01, lateral_unit=b"mm")
         self.check_map(path)
-        # What attributes say twice is asked about, whatever the coordinates say.
+        # Attributes that contradict each other are refused, whatever the coordinates are.
         files.write_netcdf(path, x, y, files.MICRONS, lx=24., ly=10., dx=3., dy=1.)
         self.check_refusal(path, "a side of 24 and 12 points in steps of 3, which contradict")
-        # Of a unit that is not known nobody knows what it contradicts.
+        # Sides without a unit cannot contradict coordinates.
         files.write_netcdf(path, x, y, files.MICRONS, lx=2.4e-5, ly=1e-5)
         self.check_map(path)
 
@@ -402,7 +401,7 @@ class Arrays(Case):
                 files.write_netcdf(path, 2. * np.arange(files.NX), 1. * np.arange(files.NY),
                                    values, dtype, **attributes)
                 self.check_map(path, hole=True)
-        # 16 bits without a sign, in the only integers that classic NetCDF has.
+        # Unsigned numbers of 16 bits, as the signed ones that classic NetCDF has.
         counts = (tenths + 40000).astype("u2").astype("i2")
         counts[files.HOLE] = -2
         files.write_netcdf(path, 2. * np.arange(files.NX), 1. * np.arange(files.NY), counts, "h",
@@ -431,7 +430,7 @@ class Result(Case):
         self.check_heights(*self.read_map())
 
     def test_import_again(self):
-        """The canonical map is itself a file that can be imported, without change."""
+        """A map that was imported can be imported again, without change."""
         self.run_and_check(self.write("map.txt", files.COMPLETE["gwyddion.txt"]))
         os.rename(os.path.join(self.folder, "map.nc"), os.path.join(self.folder, "first.nc"))
         self.run_and_check(os.path.join(self.folder, "first.nc"))
@@ -501,7 +500,7 @@ class Result(Case):
                           ["map.txt", "-o", "sub/../map.txt"],
                           [os.path.join(self.folder, "map.txt"), "-o", "map.txt"],
                           ["link.txt", "-o", "map.txt"], ["map.txt", "-o", "link.txt"],
-                          ["scan.png"], ["scan.png", "-o", "scan.nc"]):   # by its picture
+                          ["scan.png"], ["scan.png", "-o", "scan.nc"]):   # the picture would
             for force in ([], ["--force"]):
                 with self.subTest(arguments=arguments, force=force):
                     status, message = self.run_there(*arguments, *force)
@@ -567,7 +566,7 @@ class Program(Case):
                                              f"set File = {path}\nend\n"), "--dry-run"],
                         text=True, capture_output=True, check=False, cwd=self.folder).stdout
                     self.assertIn("on a box of 2.4e-05 × 1e-05,", said)
-        # Numbers that are not what they are, which the program leaves to the import.
+        # Packed numbers, which the program leaves to strait_import.
         with netcdf_file(path, "a") as file:
             file.variables["x"].scale_factor = .5
         refused = subprocess.run([PROGRAM, os.path.join(self.folder, "scene.prm"), "--dry-run"],
@@ -576,7 +575,7 @@ class Program(Case):
         self.assertIn("has the attribute scale_factor: type", refused.stderr)
 
     def test_both_readers_find_the_same_marks_and_axes(self):
-        """A mark in double precision of heights in single, below a dimension X that is the first."""
+        """A mark in double precision for heights in single, whose first dimension is X."""
         path = os.path.join(self.folder, "map.nc")
         heights = files.MICRONS.copy()
         heights[files.HOLE] = -9999.1
@@ -646,7 +645,7 @@ class Damaged(Case):
                     np.testing.assert_allclose(heights[:-1], whole, rtol=1e-6)
 
     def test_known_troublemakers(self):
-        """In these files the libraries read out of bounds, go on forever or take gigabytes."""
+        """On these files the libraries read out of bounds, go on forever or take gigabytes."""
         data = pathlib.Path(__file__).resolve().parent / "data"
         for path in (*sorted(data.iterdir()), data.parents[1] / "robustness/data/boundless.nc"):
             with self.subTest(path.name):
@@ -672,7 +671,7 @@ class Damaged(Case):
             self.check_refusal(path, "unpacks to more than")
 
     def test_mutations(self):
-        """More by hand: mutate.py FILE RUNS."""
+        """A few mutations of each file; more can be run by hand: mutate.py FILE RUNS."""
         n_runs = 15
         for name in self.samples():
             with self.subTest(name):
@@ -693,7 +692,7 @@ class Gwyddion(Case):
         self.check_map(self.write("hole.x3p", files.x3p(hole=True)), hole=True)
 
 
-# Points, size in m, rms height in m of all values, or of those measured, and missing points.
+# Points, size in m, rms height in m of the measured points, and number of missing points.
 INSTRUMENTS = {
     "x3p-2.x3p": (650, 650, 8.29767e-5, 2.04478e-4, 7.728e-8, 0),
     "sur-2.sur": (563, 484, 1.96149e-3, 1.68626e-3, 3.1187e-8, 0),

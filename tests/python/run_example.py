@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run one of python/examples on a small grid, and look at what it prints and draws.
+"""Run one of python/examples on a small grid, and check what it prints and draws.
 
     run_example.py EXAMPLE FOLDER
 """
@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import sys
 
-# Grid points, and between which bounds the first numbers that are printed must lie.
+# Grid points, and bounds of the first numbers that are printed.
 EXPECTED = {
     "hertz": (128, (0.99, 1.01)),
     "saddle_exponents": (128, (1.43, 1.44), (3.2, 3.35), (2.99, 3.02)),

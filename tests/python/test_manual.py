@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Python of doc/python.md, block after block, and what it says of the examples."""
+"""Run the Python of doc/python.md block by block, and check its list of examples."""
 import contextlib
 import io
 import os

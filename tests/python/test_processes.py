@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the package does with signals, other processes, other ranks and the end of a script."""
+"""The package under signals, in other processes, on several ranks and at the end of a script."""
 import shutil
 import signal
 import subprocess
@@ -27,7 +27,7 @@ def run(script, *command, **options):
 
 class Interrupted(unittest.TestCase):
     def interrupt(self, script, most_seconds=30):
-        """What a script prints that is interrupted half a second after it says "begun"."""
+        """Interrupt a script half a second after it prints "begun"; return what it prints then."""
         with subprocess.Popen([sys.executable, "-uc", SCENE + textwrap.dedent(script)], text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
             self.assertEqual(process.stdout.readline(), "begun\n")

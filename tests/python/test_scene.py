@@ -135,10 +135,10 @@ class Runs(unittest.TestCase):
                 run = scene.run()
                 self.assertEqual(run.folder, pathlib.Path("output").absolute())
                 self.assertTrue((pathlib.Path(folder) / "output" / "run.json").exists())
-                os.chdir(before)  # which the results do not follow
+                os.chdir(before)  # the results stay those of the first folder
                 self.assertEqual(run.csv("leakage.csv").n_rows, 2)
                 os.chdir(folder)
-                # Of a sweep only the table lasts, wherever its scene would go alone.
+                # A sweep keeps only its table, whatever the directory of its scene is.
                 strait.sweep(scene.replace({"Output/Directory": "other"}), [{}])
                 self.assertFalse(pathlib.Path("other").exists())
             finally:
@@ -235,7 +235,7 @@ class Windows(unittest.TestCase):
             patch = strait.read_table(run.folder / f"realisation-{k}" / "leakage.csv")
             np.testing.assert_allclose(patch["leak_rate"], leak_rates[-1], rtol=1e-6)
         self.assertNotAlmostEqual(leak_rates[0] / leak_rates[1], 1, 2)
-        # One after the other around the ring: that leaks their mean, times how many there are.
+        # Patches that follow each other around the ring leak their mean times their number.
         median = run.csv("seal.csv")["leak_rate_median"][0]
         self.assertTrue(min(leak_rates) < median / (1e-2 / 128e-6) < max(leak_rates))
 

@@ -22,7 +22,7 @@ class MallInfo(ctypes.Structure):
 
 
 def allocated_bytes():
-    """What is resident comes and goes by whole large pages."""
+    """Bytes on the heap; resident memory would come and go by whole large pages."""
     mallinfo = ctypes.CDLL(None).mallinfo2
     mallinfo.restype = MallInfo
     return mallinfo().uordblks + mallinfo().hblkhd
@@ -35,7 +35,7 @@ class Seals(unittest.TestCase):
         cls.seal = strait.Seal(cls.scene)
 
     def test_hertz(self):
-        radius, load = 2., 1e-3  # on a box so large that the images do not matter much
+        radius, load = 2., 1e-3  # the box is so large that periodic images hardly matter
         seal = strait.Seal(strait.Scene(surface=dict(kind="sphere", amplitude=radius),
                                         contact=dict(grid_points=256), fluid=dict(enabled=False)))
         state = seal.solve(load)
@@ -102,7 +102,7 @@ class Seals(unittest.TestCase):
                 strait.Seal(scene, self.scene.heights())
 
     def test_a_range_is_that_of_the_heights(self):
-        # Of heights that are given nobody knows whether they are the sphere of the scene.
+        # Given heights need not be the sphere of the scene, whose radius must not matter.
         adhesive = {"Contact/Grid points": 64, "Fluid/Enabled": False, "Surface/Amplitude": 20,
                     "Contact/Adhesion/Enabled": True, "Contact/Adhesion/Surface energy": 0.02,
                     "Contact/Adhesion/Tabor number": 0.5}
@@ -173,7 +173,7 @@ class Seals(unittest.TestCase):
         self.assertTrue(np.array_equal(np.isfinite(flow.pressure), leaks))
         columns = np.nanmean(flow.pressure, axis=0)
         self.assertGreater(columns[1], columns[-1])
-        # What crosses any line is the leak rate, to what the grid's spacing leaves.
+        # The current across any line is the leak rate, to the accuracy of the grid spacing.
         across = np.nansum(flow.current, axis=0) / 64
         self.assertGreater(across.min(), 0.7 * flow.leak_rate)
 
@@ -237,7 +237,7 @@ class Seals(unittest.TestCase):
         before = allocated_bytes()
         for _ in range(300):
             self.seal.solve(0.1)
-        self.assertLess(allocated_bytes() - before, 65536)  # of one state
+        self.assertLess(allocated_bytes() - before, 65536)  # size of one state
 
     def test_errors(self):
         with self.assertRaisesRegex(strait.SceneError, "Wall feedback"):

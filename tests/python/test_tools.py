@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tools with made-up results, where several loads, slip lengths or doubts could be mixed up."""
+"""The tools on made-up results in which loads, slip lengths or doubts could be mixed up."""
 import html
 import json
 import pathlib
@@ -29,7 +29,7 @@ class InAFolder(unittest.TestCase):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def write(self, **files):
-        """Files by their names without the dot, csv for tables and prm for scenes."""
+        """Write files, by names with an underscore in place of the dot."""
         for name, text in files.items():
             stem, _, ending = name.rpartition("_")
             (self.folder / f"{stem}.{ending}").write_text(text, encoding="utf-8")
@@ -73,7 +73,7 @@ class WholeSeal(unittest.TestCase):
         return run_tool("whole_seal.py", "--check", input=scene)
 
     def test_bonds_around_are_not_extrapolated_either(self):
-        # Both halves of a width of two patches are under the mean, the bond between them is not.
+        # Of two patches over the width each has the mean pressure; the bond between has more.
         around = 8 / np.pi * (np.pi / 12 + np.sqrt(3) / 8)
         scene = seal_scene.Seal(seal(2, "hertz"))
         np.testing.assert_allclose(scene.columns()[1], [around], rtol=1e-14)
@@ -90,7 +90,7 @@ class WholeSeal(unittest.TestCase):
         self.assertEqual(self.check(seal(2, "").replace("1, 2, 4", "1")).returncode, 0)
 
     def test_rounding_is_no_extrapolation(self):
-        # A sealed patch just beyond the last load must not conduct less than nothing.
+        # A patch sealed at the last load must not have a negative conductance just beyond it.
         beyond = np.array([np.nextafter(1.6, 2)])
         self.assertEqual(seal_network.at_loads(np.array([1., 1.6]), np.array([[1., 0.]]), beyond),
                          0)
@@ -120,7 +120,7 @@ class WholeSeal(unittest.TestCase):
 
 
 class SmallLoads(InAFolder):
-    LOADS = (1e-9, 3e-9)  # both would pass for zero
+    LOADS = (1e-9, 3e-9)  # both equal zero to 1e-8
 
     def write_patch(self):
         self.write(leakage_csv="pressure,leak_rate,leak_rate_lower,leak_rate_upper,status\n" +
@@ -134,7 +134,7 @@ class SmallLoads(InAFolder):
         self.assertEqual(alone.tolist(), [8., 2.])
 
     def test_of_realisations_near_the_threshold(self):
-        # Reduced loads of 2e-6 and 1e-5 of the same critical load, 1.
+        # Reduced loads 2e-6 and 1e-5, for the critical load 1.
         (self.folder / "realisation-1").mkdir()
         self.write(**{"parameters_prm": "", "ensemble_csv": "realisation,status\n1,ok\n",
                       "realisation-1/leakage_csv":
@@ -228,7 +228,7 @@ class Comparisons(InAFolder):
                       "loading,0.19,0.05,1e-6,1e-6,1e-6,unresolved-throat+flow-accuracy\n"})
         _, right = plot_adhesion.draw_leakage([("a", self.folder / "runs")]).axes
         lines = [list(line.get_xdata()) for line in right.lines[:2]]
-        self.assertEqual(lines, [[0.1, 0.5], [0.1]])  # and the hollow ones of them
+        self.assertEqual(lines, [[0.1, 0.5], [0.1]])  # the second: hollow markers
 
 
 class ExampleMap(unittest.TestCase):

@@ -233,7 +233,7 @@ namespace strait
       EXPECT_TRUE(sealed.paths.empty());
     }
 
-    TEST(FlowPath, TakesTheWideDetourAndFindsItsBottleneck)
+    TEST(FlowPath, TakesTheWiderSlitAndFindsItsBottleneck)
     {
       // Two straight slits: one of gap 0.2, and one of gap 1 with a neck of 0.5.
       const auto gap_at = [](const int ix, const int iy) {

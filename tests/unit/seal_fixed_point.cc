@@ -105,7 +105,7 @@ namespace strait
       EXPECT_LT(error({y[0] + .1, y[1] - .1, y[2] + .2}), 1e-3);
     }
 
-    TEST(FixedPoint, BearsRoundsThatSayTheSame)
+    TEST(FixedPoint, ToleratesParallelDifferences)
     {
       FixedPoint          iteration(plain_product, 4, 1.);
       std::vector<double> x = {0, 0, 0};

@@ -162,7 +162,7 @@ namespace
     return seal;
   }
 
-  TEST(Path, AChannelClosesInSmallStepsOnly)
+  TEST(Path, ALongStepThatClosesAChannelIsHalved)
   {
     const auto step_to = [](const double load, const SealState *from) {
       return *follow(held_open, {load, 0., 0.}, from, Aim::leak_rate, {}).state;

@@ -53,7 +53,7 @@ namespace strait
       return search.find_critical_loads({1.25}).front();
     }
 
-    TEST(SealSearch, ThePathAloneAsksTheEndsOfItsBracketAgain)
+    TEST(SealSearch, WindowsAddQuestionsOnlyWithoutAPath)
     {
       const Transition on_path   = found_with(true, false),
                        on_zoomed = found_with(true, true);

@@ -75,7 +75,7 @@ namespace strait
       };
     }
 
-    TEST(TransitionSearch, WhatPointsResolveDoesNotHangOnTheWay)
+    TEST(TransitionSearch, UnresolvedDistanceIsIndependentOfTheSearch)
     {
       // The distance ε at which 8 √(0.8 ε^1.16) is a half.
       const double expected = std::pow(std::pow(.5 / 8., 2) / .8, 1. / of_gap);

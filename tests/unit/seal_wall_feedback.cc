@@ -179,7 +179,7 @@ namespace strait
       EXPECT_FALSE(seal.solve(.5, {feedback_tolerance, .1}).converged);
     }
 
-    TEST(WallFeedback, ACircleThroughAnOpenChannelLeaks)
+    TEST(WallFeedback, ACycleThroughAnOpenChannelLeaks)
     {
       // The closed channel fills and opens above 0.6 only, the open one drains and closes
       // below 0.3 only: rounds go in a cycle without any state in which the two agree.
@@ -197,7 +197,7 @@ namespace strait
       EXPECT_FALSE(seal.solve(.5, {feedback_tolerance, .1}).converged);
     }
 
-    TEST(WallFeedback, TurnsAwayFromAJumpThatIsInNobodysWay)
+    TEST(WallFeedback, LeavesAJumpWhereNoStateLies)
     {
       // Far from the jump at 0.4, rounds cross it again and again. Near it, the fluid of
       // the open channel opens it further, to a fixed point at 0.55.

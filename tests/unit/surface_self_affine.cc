@@ -174,7 +174,7 @@ namespace
     EXPECT_NEAR(fourth_moment * 3 * n_samples / (second_moment * second_moment), 2., 0.5);
   }
 
-  TEST(SelfAffineSurface, RefusesBandsWithoutWavesAndHopelessOnes)
+  TEST(SelfAffineSurface, RefusesBandsWithNoOrTooManyWaves)
   {
     SurfaceParameters parameters        = example();
     parameters.roll_off_wavelength      = 3.;

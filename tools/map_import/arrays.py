@@ -21,19 +21,19 @@ def _plain(attribute):
 
 
 def _is_true(attribute):
-    """Whether an attribute, as text or as one number, says yes; what is neither yes nor no does
+    """Whether an attribute, a text or one number, means yes; what means neither yes nor no does
     not."""
     return str(attribute).lower() in ("true", "yes", "1", "1.0")
 
 
-# Attributes that say which values are none, in the numbers that are stored.
+# Attributes that mark missing values, in terms of the stored numbers.
 _MARKS = ("_FillValue", "missing_value", "valid_min", "valid_max", "valid_range")
-# NetCDF's own marks of integers that were never written, where no attribute names another.
+# Default fill values of NetCDF for integers, which hold unless an attribute names another.
 _UNWRITTEN = {"i2": -32767, "i4": -2147483647, "u2": 65535, "u4": 4294967295}
 
 
 def _read_attributes(attributes):
-    """Text or one number of each; of those that mark values, an array of numbers."""
+    """Each attribute as text or one number; those that mark missing values as arrays."""
     return {name: _numbers(value) if name in _MARKS else _plain(value)
             for name, value in attributes}
 
@@ -52,10 +52,10 @@ def _first(attributes, *names):
 
 
 def _interpret(values, attributes):
-    """Values marked as missing become nan; scale and offset are applied."""
+    """Replace values that are marked as missing by nan, and apply scale and offset."""
     stored = np.asarray(values)
     is_unsigned = str(attributes.get("_Unsigned")).lower() == "true" and stored.dtype.kind == "i"
-    if is_unsigned:   # as classic NetCDF, which knows no such integers, says it
+    if is_unsigned:   # classic NetCDF has no such integers, only this attribute
         stored = stored.astype(stored.dtype.str.replace("i", "u"))
     is_packed = stored.dtype.kind in "iu"
 
@@ -65,7 +65,7 @@ def _interpret(values, attributes):
             keeps = is_packed and not (is_unsigned and found.dtype.kind == "i")
             return found if keeps else found.astype(stored.dtype)
 
-    # NetCDF's own mark of what was never written, and then those of the file.
+    # The default fill value of NetCDF for real numbers, and then the marks of the file.
     result = stored.astype(float)
     is_missing = abs(result) >= 9.96e36
     for name in ("_FillValue", "missing_value"):
@@ -77,14 +77,14 @@ def _interpret(values, attributes):
         if not bound.size and marks("valid_range").size == 2:
             bound = marks("valid_range")[:1] if name == "valid_min" else marks("valid_range")[1:]
         if bound.size == 1:
-            # Beside packed integers, a bound with a point is one of the unpacked numbers.
+            # For packed integers, a bound that is a real number is one of the unpacked values.
             is_unpacked = is_packed and bound.dtype.kind == "f"
             is_missing |= is_outside(result if is_unpacked else stored, bound[0])
     return np.where(is_missing, np.nan, result)
 
 
 def _map(name, values, attributes, of_file=None):
-    """A channel of what attributes of an array, and of its file, say."""
+    """The channel of an array, by its attributes or else those of its file."""
     known = {**(of_file or {}), **attributes}
     ny, nx = values.shape
     unit = _first(known, "unit", "units")
@@ -105,13 +105,13 @@ def _map(name, values, attributes, of_file=None):
 # NetCDF: contact.engineering's layout.
 
 def _side(n, coordinate):
-    """Length of a side, of a step, the metres of their unit, and whether the side is periodic."""
+    """Lengths of a side and a step, the metres in their unit, and whether the side is periodic."""
     if coordinate is None:
         return None, None, None, False
     values, attributes = coordinate
     unit = _first(attributes, "unit", "units", "length_unit")
     metres = metres_in(str(unit)) if unit else None
-    # Equal numbers are those of a dimension to which none were written.
+    # All coordinates are equal if none were ever written.
     step = float(abs(values[-1] - values[0])) / (n - 1) if len(values) > 1 else 0.
     length = attributes.get("length")
     length = whole_side(n, length if isinstance(length, float) else None, step or None)
@@ -119,9 +119,9 @@ def _side(n, coordinate):
 
 
 def _against_attributes(channel, steps, units):
-    """How steps of coordinates contradict the sides that attributes of the map state, if they do.
+    """How steps of coordinates contradict the sides in attributes of the map; "" if they agree.
 
-    Lengths are compared with lengths, and where the coordinates have no unit, numbers.
+    Lengths are compared if the coordinates have units, else plain numbers.
     """
     sides, unit = (channel.size, " m") if units else (channel.extent, "")
     if not sides:
@@ -132,13 +132,14 @@ def _against_attributes(channel, steps, units):
 
 
 def _is_regular(values):
-    """Whether coordinates keep to equal steps, to a twentieth, as points of a grid must."""
+    """Whether coordinates have equal steps, as points of a grid must, to a twentieth of one."""
     line = np.linspace(values[0], values[-1], len(values))
     return bool((abs(values - line) <= abs(line[1] - line[0]) / 20).all())
 
 
 def _netcdf_channel(name, values, dimensions, attributes, coordinates, of_file=None):
-    """The dimension called x, or else the last, runs along x; both are turned to go up."""
+    """The channel of a variable. The dimension named x, or else the last one, runs along x; the map
+    is turned so that both coordinates increase."""
     attributes = {"_FillValue": _numbers(_UNWRITTEN.get(values.dtype.str[1:], "")), **attributes}
     if dimensions[0].lower() == "x":
         values, dimensions = values.T, dimensions[::-1]
@@ -194,7 +195,7 @@ def _attributes(thing):
 
 
 def _unwritten(data):
-    """The mark of what was never written, which attributes may name otherwise."""
+    """The fill value of points that were never written; attributes may name another."""
     return {} if data.fillvalue == 0 else {"_FillValue": _numbers(data.fillvalue)}
 
 
@@ -219,7 +220,7 @@ def read_hdf5(path):
         for name, data in arrays:
             check_extents(*data.shape, n_bytes)
             attributes = {**_unwritten(data), **_attributes(data)}
-            # Of a NetCDF-4 variable; another group may have others of the same names.
+            # Dimensions of a NetCDF-4 variable; another group may have others of the same names.
             scales = [scale[0].name if len(scale) else "" for scale in data.dims]
             if any(scales):
                 dimensions = [scale.rsplit("/", 1)[-1] for scale in scales]
@@ -259,6 +260,6 @@ def read_matlab(path):
 
 
 def read_matlab_hdf5(path):
-    """MATLAB 7.3: its arrays are stored by columns, and so HDF5 shows them transposed."""
+    """MATLAB 7.3 stores arrays by columns, so that HDF5 shows them transposed."""
     return [channel for stored in read_hdf5(path)
             for channel in _bare(stored.name, stored.values.T)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the readers give, and the units and complaints that they share."""
+"""Channels, which the readers return, and the units and refusals that they share."""
 import dataclasses
 import re
 
@@ -10,7 +10,7 @@ MOST_POINTS = 65535
 
 
 class Refused(Exception):
-    """The file cannot be taken, for the reason that the one sentence in it gives."""
+    """The file cannot be imported; the message continues a sentence that begins with its name."""
 
 
 @dataclasses.dataclass
@@ -19,13 +19,13 @@ class Channel:
     name: str
     values: np.ndarray
     size: tuple = None     # lx, ly in metres of nx x ny points; None: not stated
-    extent: tuple = None   # the same as numbers without a unit, where the size is None
-    metres: float = None   # that a value of 1 is high; None: not stated, or no length
-    quantity: str = ""     # unit of what is no length, such as V
+    extent: tuple = None   # the same as plain numbers, in the unit of the file
+    metres: float = None   # height of a value of 1; None: not stated, or no length
+    quantity: str = ""     # unit of values that are no lengths, such as V
     periodic: bool = False
-    note: str = ""         # what the user should know of it
-    disputed: str = ""     # two sizes that the file states, where they contradict each other
-    refusal: str = ""      # why it cannot be taken, where another channel of the file may be
+    note: str = ""         # what the user should know about it
+    disputed: str = ""     # two sizes stated in the file that contradict each other
+    refusal: str = ""      # why this channel cannot be imported; others of the file may be
 
     def __str__(self):
         ny, nx = self.values.shape
@@ -39,7 +39,7 @@ _NAMES = {"meter": 1., "metre": 1., "millimeter": 1e-3, "millimetre": 1e-3, "mic
 
 
 def metres_in(unit):
-    """What one of a unit of length is in metres; None if it is none. "63.1 nm" is one."""
+    """The metres in a unit of length, such as "um" or "63.1 nm"; None for another text."""
     match = re.fullmatch(r"([-+.\deE]+(?=[\sa-zA-Zµμ]))?\s*(\S+)", unit.strip(" ()[]\"'"))
     if not match:
         return None
@@ -57,8 +57,8 @@ def metres_in(unit):
 
 
 def dispute(axis, n, side, step, unit=""):
-    """A side and a step between n points that contradict each other; "" if they agree to a
-    hundredth, be the side that of n steps or of n - 1, or if one of them is no number."""
+    """How a side and a step between n points contradict each other. "" if one of them is no number,
+    or if they agree to a hundredth; the side may be that of n steps or of n - 1."""
     if not (isinstance(side, float) and isinstance(step, float)) or (
             abs((n - .5) * abs(step) - side) <= .6 * abs(step) + .01 * abs(side)):
         return ""
@@ -66,10 +66,10 @@ def dispute(axis, n, side, step, unit=""):
 
 
 def whole_side(n, side, step):
-    """The side that n points take up, by what a file states: a side, a step, or both.
+    """The side of a box with n points, from what a file states: a side, a step, or both.
 
-    A stated side may be that from the first point to the last, one step less. It is where n - 1
-    steps make it up to a hundredth of one, as rounded steps do.
+    A stated side may be that from the first point to the last, which is one step less. It is
+    taken for that if n - 1 steps, which may be rounded, make it up to a hundredth of a step.
     """
     if not isinstance(step, float):
         return side
@@ -81,7 +81,7 @@ def whole_side(n, side, step):
 
 
 def check_extents(n_columns, n_rows, n_bytes):
-    """Refuse a map that cannot be in a file of so many bytes, before memory is taken."""
+    """Refuse a map that cannot be in a file of so many bytes, before memory is allocated."""
     if not (1 <= n_columns <= MOST_POINTS and 1 <= n_rows <= MOST_POINTS):
         raise Refused(f"claims {n_columns} x {n_rows} points, which no map has")
     # Deflate, the densest compression in use, makes at most 1032 bytes of one.

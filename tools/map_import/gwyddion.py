@@ -10,11 +10,11 @@ import numpy as np
 
 from .channel import Channel, Refused, check_extents, metres_in
 
-SECONDS = 20   # of the 25 that an import may take; 1.5 s was the most of forty files tried
+SECONDS = 20   # of the 25 s that an import may take; the slowest of forty files took 1.5 s
 
 
 def convert(path, scratch):
-    """Have Gwyddion write a file as GWY; the channels in it. Raises Refused."""
+    """Let Gwyddion convert a file to GWY, and return the channels in that. Raises Refused."""
     if not shutil.which("gwyddion"):
         raise Refused("needs Gwyddion to be read: sudo apt install gwyddion")
     output = os.path.join(scratch, "converted.gwy")
@@ -39,7 +39,7 @@ def convert(path, scratch):
 
 
 def convert_x3p(path, scratch):
-    """An X3P file; main.xml may be in a folder of the archive, where Gwyddion does not look."""
+    """The channels of an X3P file, also if main.xml is in a folder, where Gwyddion misses it."""
     with zipfile.ZipFile(path) as archive:
         main = next(name for name in archive.namelist() if name.split("/")[-1] == "main.xml")
         folder = main[:-len("main.xml")]
@@ -58,7 +58,7 @@ def convert_x3p(path, scratch):
 
 
 class _Reader:
-    """Walks through the components of a GWY object."""
+    """Reads GWY objects and their components; positions are those of bytes in the content."""
 
     _NUMBERS = {"b": "<u1", "c": "<i1", "i": "<i4", "q": "<i8", "d": "<f8"}
 
@@ -136,7 +136,7 @@ def _field(container, key):
 
 
 def read_gwy(path, mask_is_missing=False):
-    """The channels of a GWY file. Of a conversion the mask is what was not measured."""
+    """The channels of a GWY file. After a conversion, masked points are those not measured."""
     with open(path, "rb") as file:
         content = file.read()
     if content[:4] != b"GWYP":

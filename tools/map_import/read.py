@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Which reader takes a file: its content tells, never its name."""
+"""Choose the reader of a file by its content, never by its name."""
 import bz2
 import gzip
 import lzma
@@ -12,13 +12,13 @@ from . import arrays, gwyddion, text
 from .channel import Refused
 from .table import decode
 
-LARGEST = 1 << 30   # bytes that compressed files may unpack to; more is no map but a trap
+LARGEST = 1 << 30   # bytes that a compressed file may unpack to; no map has more
 
 _COMPRESSED = {b"\x1f\x8b": gzip.open, b"BZh": bz2.open, b"\xfd7zXZ\0": lzma.open}
 
 
 def _unpack(stream, scratch):
-    """Write what a compressed stream holds to the scratch folder; the path."""
+    """Unpack a compressed stream to a file in the scratch folder, and return its path."""
     path = os.path.join(scratch, "unpacked")
     with open(path, "wb") as output:
         while block := stream.read(1 << 20):
@@ -43,7 +43,8 @@ def _read_zip(path, options, scratch):
 
 
 def _read_text(content, path, options, scratch):
-    """Gwyddion where the header does not say it all: it knows some vendors' text."""
+    """The channels of a text. If its header does not state everything, Gwyddion is tried, which
+    knows the texts of some vendors."""
     factor = re.match(r"Wyko ASCII Data File Format\s+\d+\s+0\b.*?^Mult\s[^\n]*?([^\s]+)\s*$",
                       content, re.S | re.M)
     if factor and float(factor[1]) != 1:
@@ -110,7 +111,7 @@ def read(path, options, scratch):
     except (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, OSError) as reason:
         raise Refused(f"is damaged: {str(reason).splitlines()[0] if str(reason) else 'it ends early'}"
                       ) from None
-    except Exception as reason:  # The libraries raise whatever a damaged file provokes.
+    except Exception as reason:  # Damaged files make the libraries raise anything.
         said = str(reason).splitlines()
         raise Refused(f"is damaged: {said[0][:200] if said else type(reason).__name__}") from None
     if not channels:

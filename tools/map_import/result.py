@@ -4,7 +4,7 @@ import numpy as np
 
 
 def write_map(path, channel, facts):
-    """heights(x, y) in metres, nan where nothing was measured; facts become attributes."""
+    """Write heights(x, y) in metres, nan where nothing was measured, and facts as attributes."""
     from scipy.io import netcdf_file
 
     ny, nx = channel.values.shape
@@ -25,7 +25,7 @@ def write_map(path, channel, facts):
 
 
 def statistics(channel):
-    """rms height about the mean and rms slope of what was measured, and missing points."""
+    """Rms height about the mean and rms slope of measured points, and number of missing ones."""
     heights = np.where(np.isfinite(channel.values), channel.values * channel.metres, np.nan)
     ny, nx = heights.shape
     slopes = [np.diff(heights, axis=axis) / spacing
@@ -36,7 +36,7 @@ def statistics(channel):
 
 
 def _spectrum(heights, size):
-    """Wave numbers in 1/m and the power of the rows' roughness, tilt removed and tapered."""
+    """Wave numbers in 1/m and mean power of the rows, whose tilt is removed, tapered."""
     ny, nx = heights.shape
     y, x = np.mgrid[0:ny, 0:nx]
     plane = np.stack([np.ones(heights.size), x.ravel() / nx, y.ravel() / ny], axis=1)
@@ -48,7 +48,7 @@ def _spectrum(heights, size):
 
 
 def draw(path, channel):
-    """The map, a histogram of the heights, and the spectrum along x."""
+    """Draw the map, a histogram of the heights, and the spectrum along x."""
     import matplotlib
 
     matplotlib.use("Agg")

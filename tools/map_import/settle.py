@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Which channel, how large, in what unit: from the file, or from the user."""
+"""Decide on channel, size and units: as the file states them, or the user."""
 import re
 
 import numpy as np
@@ -46,9 +46,9 @@ def _parse_unit(text):
 
 
 def settle(channel, options):
-    """Give a channel size and unit, where the user states them; notes of what that overrides.
+    """Give a channel the size and units that the user states; return notes of what they override.
 
-    Raises Refused where one of them is missing, or the map makes no sense.
+    Raises Refused if one of them is missing, or the map makes no sense.
     """
     size = _parse_size(options.size) if options.size else None
     xy_unit, unit = _parse_unit(options.xy_unit), _parse_unit(options.unit)

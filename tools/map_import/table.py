@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Text as blocks of lines of numbers, and these as tables, whatever separates the numbers."""
+"""Split a text into blocks of lines of numbers, and these into tables, whatever the separator."""
 import csv
 import math
 import re
@@ -11,7 +11,7 @@ from .channel import Refused
 _MISSING = {"nan", "-nan", "bad", "***", "**", "--", "---", "#n/a", "n/a", "na", "nodata",
             "masked", "inf", "-inf", "+inf", "infinity", "-infinity", "#nan", "-1.#ind", "1.#qnan",
             "-1.#ind00", "1.#qnan0", "nan(ind)", "-nan(ind)", "****", "null"}
-# A statement of the value that stands for no height.
+# A statement of the value that marks missing points.
 MARK = re.compile(r"[#%\s]*(?:no[ _-]?data(?:[ _-]?value)?|"
                   r"(?:missing|fill|invalid|bad|nan)[ _-]?value)\b[\s:=,;]+(\S.*?)[\s,;]*", re.I)
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)*|[.,]\d+)([eE][-+]?\d+)?")
@@ -39,13 +39,13 @@ def _is_number(word):
 
 
 def _is_data(line):
-    """Whether a line holds numbers: the first word is one, and half of them are."""
+    """Whether a line holds numbers: the first word is one, and at least half of all are."""
     words = re.split(r"[\s;,]+", line[:1000].strip(" \t;,"))
     if line.startswith(("#", "%")) and not _is_number(words[0]):
         return False
     if not _is_number(words[0]):
-        # The corner of a table with axes may be a word, and a damaged number must not make
-        # its row a line of words, which would be passed over.
+        # The corner of a table with axes may be a word. A damaged number must not make its
+        # row a line of words, which would be skipped.
         return len(words) > 3 and not re.search("[:=]", line) and (
             2 * sum(map(_is_number, words)) >= len(words))
     if words[0].lower() in _MISSING and len(words) == 1:
@@ -56,7 +56,7 @@ def _is_data(line):
 
 
 class Block:
-    """Lines of numbers without another between them."""
+    """Consecutive lines of numbers, and the lines of words above them."""
 
     def __init__(self, first_line, header):
         self.first_line, self.header, self.lines = first_line, header, []
@@ -66,16 +66,16 @@ class Block:
 
 
 def _without_quotes(line):
-    """A line of quoted cells; commas between them become semicolons, those within remain."""
+    """A line without the quotes of its cells; commas between cells become semicolons."""
     if ";" in line or "\t" in line:
         return line.replace('"', "")
     return ";".join(next(csv.reader([line]), []))
 
 
 def _refuse_empty_rows(lines):
-    """Refuse rows of empty cells beside others: they may be missing points or nothing.
+    """Refuse rows of empty cells next to lines of numbers: they may be missing points or nothing.
 
-    They are nothing where a spreadsheet pads its lines of words as well.
+    They are nothing if lines of words are padded with empty cells as well, as by a spreadsheet.
     """
     for number, (line, before, after) in enumerate(
             zip(lines, ["", *lines], [*lines[1:], ""]), 1):
@@ -112,7 +112,7 @@ def blocks_of(text):
 
 
 def separator_of(line):
-    """None for white space."""
+    """The separator of the numbers in a line; None for white space."""
     if ";" in line:
         return ";"
     if "\t" in line.strip():
@@ -128,7 +128,7 @@ def may_be_thousands(word):
 
 
 def last_digits(words):
-    """What one in the last digit of each printed number is; 0 of what is no number."""
+    """The value of one in the last printed digit of each number; 0 for a word that is none."""
     found = [re.fullmatch(r"[-+]?\d*(?:[.,](\d*))?(?:[eE]([-+]?\d{1,4}))?", word.strip())
              for word in words]
     return np.array([float(f"1e{int(match[2] or 0) - len(match[1] or '')}") if match else 0.
@@ -136,7 +136,7 @@ def last_digits(words):
 
 
 def _decimal_sign(block, separator, options):
-    """The decimal sign, from the first rows and the user."""
+    """The decimal sign, from the first rows or the option of the user."""
     rows = block.lines[:200]
     if separator == ",":
         text = "\n".join(rows)
@@ -156,7 +156,7 @@ def _decimal_sign(block, separator, options):
 
 
 def table_of(block, separator, options):
-    """The numbers of a block, and the word in its upper left corner where that is none."""
+    """The numbers of a block, and the word in its upper left corner if that is not a number."""
     comma = _decimal_sign(block, separator, options) == ","
     rows, corner, n_columns = [], None, None
     for i, line in enumerate(block.lines):
@@ -181,7 +181,7 @@ def _numbers(words, comma, line_number):
     numbers = []
     for column, word in enumerate(words, 1):
         try:
-            if "_" in word:          # which Python would take for a part of a number
+            if "_" in word:          # float() accepts it in numbers
                 raise ValueError
             if not word or word.lower() in _MISSING:
                 numbers.append(math.nan)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tables of numbers: matrices, points, channels one after the other, with any header.
 
-Nothing is guessed: where a table can be read in several ways, the sentence that refuses it
+Nothing is guessed: a table that can be read in several ways is refused with a sentence that
 names them and the option that chooses.
 """
 import itertools
@@ -18,8 +18,8 @@ from .text_header import TextHeader, take_apart
 def _is_uniform(values, words, share=1.):
     """Whether values go up or down by equal steps, as those of an axis do.
 
-    As they are printed, in words, they may be off by one in the last digit, but not by more than
-    this share of a step.
+    The values printed as words may be off by one in the last digit, but not by more than this
+    share of a step.
     """
     steps = np.diff(values)
     with np.errstate(all="ignore"):
@@ -27,14 +27,14 @@ def _is_uniform(values, words, share=1.):
         if not (0 < step < math.inf and abs(np.sign(steps).sum()) == len(steps)):
             return False
         off = abs(values - np.linspace(values[0], values[-1], len(values)))
-        # A millionth is for the arithmetic.
+        # A millionth of a step allows for rounding errors.
         digits = last_digits(words) if len(words) == len(values) else 0.
         allowed = np.minimum(digits, share * step) + 1e-6 * step
         return bool((abs(abs(steps) - step) < 1e-3 * step).all() or (off <= allowed).all())
 
 
 def _grid_indices(coordinates):
-    """The grid lines of scattered coordinates and their spacing; None if they form none."""
+    """The grid line of each coordinate, counted from 0, and their spacing; None without a grid."""
     if not np.isfinite(coordinates).all():
         return None
     distinct = np.unique(coordinates)
@@ -43,7 +43,7 @@ def _grid_indices(coordinates):
     steps = steps[steps > extent / (20. * MOST_POINTS)]
     if extent <= 0 or not len(steps):
         return None
-    # The mean over the steps between neighbours, which noise of the file does not bias.
+    # The mean of the steps between neighbouring lines, which noise does not bias.
     least = steps.min()
     spacing = steps[steps < 1.5 * least].mean()
     lines = np.rint((coordinates - distinct[0]) / spacing)
@@ -56,13 +56,13 @@ def _grid_indices(coordinates):
 
 
 def _points(table):
-    """The map of lines x, y, z, ... as ((values of each column behind), (dx, dy)), or None."""
+    """Maps of lines x, y, z, ...: (one for each column after x and y, (dx, dy)), or None."""
     x, y = _grid_indices(table[:, 0]), _grid_indices(table[:, 1])
     if x is None or y is None or len(table) < 4:
         return None
     nx, ny = x[0].max() + 1, y[0].max() + 1
     place = y[0] * nx + x[0]
-    # A grid with more holes than points is none.
+    # A grid with more holes than points is not one.
     if nx * ny > 2 * len(table) or len(np.unique(place)) != len(place):
         return None
     maps = []
@@ -77,7 +77,7 @@ def _column_names(header, separator, n_columns):
     """The names above the columns, if there is one for each."""
     for line in reversed(header):
         line = line.lstrip("#% ")
-        if separator is None:   # then a unit behind a name would be a word of its own
+        if separator is None:   # a unit behind a name would be a word of its own
             line = re.sub(r"\s+(?=[\[(])", "", line)
         words = [word.strip(" \t,;") for word in line.split(separator)]
         if len(words) == n_columns:
@@ -86,13 +86,13 @@ def _column_names(header, separator, n_columns):
 
 
 def _unit_of_column(name):
-    """The unit in the name of a column, or nothing."""
+    """The unit in the name of a column, or ""."""
     match = re.search(r"[\[(/]\s*([^\])]+)[\])]?$|\s(?:in)\s+(\S+)$", name)
     return (match[1] or match[2]) if match else ""
 
 
 def _metres_of_column(name, of_header):
-    """What the unit of a column is in metres, and whether name and header contradict each other."""
+    """The metres in the unit of a column, and whether its name contradicts the header."""
     unit = _unit_of_column(name)
     own = metres_in(unit) if unit else None
     differs = unit and of_header and (own is None or abs(own / of_header - 1) > 1e-9)
@@ -100,8 +100,8 @@ def _metres_of_column(name, of_header):
 
 
 def _in_order(table, names):
-    """The table and its names with x and y in front, where names say which columns these are: two
-    that have a word in common but for x and y, or column and row."""
+    """The table and its names with x and y in front, if names tell which columns these are: a word
+    of one becomes a word of the other if x is replaced by y, or column by row."""
     said = [re.findall(r"[^\W\d_]+", re.sub(r"[\[(].*", "", name.lower())) for name in names]
     for x, y in (("x", "y"), ("column", "row"), ("col", "row")):
         for i, words in enumerate(said):
@@ -114,7 +114,7 @@ def _in_order(table, names):
 
 
 def _as_points(table, header, names, options):
-    """Channels of a table of points; None if it is none."""
+    """The channels of a table of points; None if these form no grid."""
     if names[0].lower() in ("index", "i", "#", "no", "no.", "nr", "nr."):
         table, names = table[:, 1:], names[1:]
     if table.shape[1] < 3:
@@ -161,11 +161,11 @@ def _edges(block, separator):
 
 
 def _without_axes(table, edges):
-    """A matrix below a row of x, and beside a column of y where there is one."""
+    """The matrix below a row of x, and beside a column of y if there is one; and its extent."""
     y, words_y = table[1:, 0], edges[1][0][1:]
     column = _is_uniform(y, words_y)
     x, words_x = table[0, int(column):], edges[0][0][int(column):table.shape[1]]
-    # Steps that are printed more coarsely may as well have a gap among them.
+    # Steps that are printed more coarsely may hide a gap.
     if not _is_uniform(x, words_x, .3) or (column and not _is_uniform(y, words_y, .3)):
         raise Refused("has no first row, or first column, of equal steps to three tenths of one, "
                       "which --as axes needs")
@@ -173,7 +173,7 @@ def _without_axes(table, edges):
     ny, nx = values.shape
     dx = abs(x[-1] - x[0]) / (nx - 1)
     extent = nx * dx, ny * (abs(y[-1] - y[0]) / (ny - 1) if column else dx)
-    # Heights are turned so that x and y go up.
+    # The heights are turned so that x and y increase.
     values = values[:, ::-1] if x[0] > x[-1] else values
     return (values[::-1] if column and y[0] > y[-1] else values), extent
 
@@ -187,7 +187,8 @@ def _check_for_axes(table, header, corner, edges):
         return
 
     def stands_out(lines, words):
-        """Whether the first line goes by equal steps, with its first number or without."""
+        """Whether the first line, with or without its first number, has equal steps, and the
+        second has not."""
         return any(_is_uniform(lines[0, i:], words[0][i:lines.shape[1]])
                    and not _is_uniform(lines[1, i:], words[1][i:lines.shape[1]]) for i in (0, 1))
 
@@ -202,7 +203,7 @@ def _check_for_axes(table, header, corner, edges):
 
 
 def _check_promise(table, header):
-    """A single column may be the whole matrix; a multiple of the rows, several channels."""
+    """The table with the rows and columns that its header states; one column may be the matrix."""
     n_rows, n_columns = table.shape
     rows, columns = header.rows, header.columns
     if rows and columns and n_columns == 1 and n_rows == rows * columns:
@@ -247,13 +248,13 @@ def _read_block(block, header_lines, options):
 
 
 def _join(blocks, options):
-    """Lines that only blank ones separate may be one table."""
+    """Join blocks that only blank lines separate, if they may be one table."""
     if any(block.header for block in blocks[1:]):
         return blocks
     lines = list(itertools.chain.from_iterable(block.lines for block in blocks))
     whole = Block(blocks[0].first_line, blocks[0].header)
     whole.lines = lines
-    # As of gnuplot: blank lines between the lines of a scan, or between all.
+    # As in files for gnuplot: blank lines between the lines of a scan, or between all lines.
     n_columns = len(lines[0].split(separator_of(lines[0])))
     if options.reading or n_columns == 3 or all(len(block) == 1 for block in blocks):
         return [whole]
@@ -261,7 +262,7 @@ def _join(blocks, options):
 
 
 def _without_statements(common, own):
-    """The lines of a header for all tables, but for what that of one table states anew."""
+    """The lines of the common header, without what the header of one table states anew."""
     keys = {found[0] for found in map(take_apart, own) if found}
     return [line for line in common if (take_apart(line) or ("",))[0] not in keys]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the lines above the numbers of a text file say: size, units, rows and columns."""
+"""The header of a text file, the lines above its numbers: size, units, rows and columns."""
 import re
 
 import numpy as np
@@ -7,7 +7,7 @@ import numpy as np
 from .channel import Refused, dispute, metres_in, whole_side
 from .table import MARK, may_be_thousands
 
-# Gwyddion writes its header in the language of its user: its keys, as far as they are known.
+# Gwyddion writes its header in the language of its user; these are the known keys.
 _GWYDDION = {
     "channel": ["channel"],
     "width": ("width breite largeur ancho anchura larghezza largura šířka ширина szerokość bredd "
@@ -24,14 +24,14 @@ _SPACING = {"pixel size": "xy", "xy calibration": "xy", "pixel pitch": "xy", "sp
 _VALUE_UNIT = _GWYDDION["value units"] + ["value unit", "height unit", "height units", "z unit",
                                           "z units", "z-unit", "data unit", "unit"]
 _LATERAL_UNIT = ("xy unit", "xy units", "x unit", "y unit", "lateral unit")
-# A key of nothing but these words, with one of scaling among them, multiplies the heights.
+# A key of these words alone, with one of scaling among them, is a factor of the heights.
 _SCALING = set("scale scaling factor conversion multiplier".split())
 _HEIGHTS = set("z height heights value values data of the".split())
 _COLUMNS = ("x-pixels", "x pixels", "columns")
 _ROWS = ("y-pixels", "y pixels", "rows")
 _KNOWN = {*_NAME, *_WIDTH, *_HEIGHT, *_SPACING, *_VALUE_UNIT, *_LATERAL_UNIT, *_COLUMNS, *_ROWS,
           "x-unit", "y-unit", "bit2nm"}
-# Lengths with one of these words in their keys are no sides.
+# Lengths with one of these words in their keys are not sides.
 _NO_SIDE = set("offset origin position center centre radius diameter depth thickness wavelength "
                "cutoff pixel step spacing pitch resolution roughness amplitude range rms".split())
 
@@ -68,16 +68,16 @@ def _scales_heights(key, value, unit):
 
 
 def _may_stand_for(key, meaning):
-    """Whether Gwyddion may have written this key for one of its own, in whatever language."""
+    """Whether a key may be that of Gwyddion with this meaning, in any language."""
     return key in _GWYDDION[meaning] or (key not in _KNOWN and not _words(key) & _NO_SIDE)
 
 
 def _in_english(lines):
-    """The lines, those of Gwyddion in a language that the lists do not know with English keys.
+    """The lines of a header, with English keys if it is Gwyddion's in an unknown language.
 
-    Gwyddion always writes four: channel, width, height and value units. So a key that is not known
-    means what its place says, but only where the whole header can be Gwyddion's: with a key that
-    another program writes, or that stands at another place, it is not, and each goes by its name.
+    Gwyddion always writes four lines: channel, width, height and value units. An unknown key
+    therefore means what its place tells, but only if the whole header can be Gwyddion's. With a key
+    of another program, or a known key at another place, it is not, and each key counts by its name.
     """
     statements = [take_apart(line) for line in lines if line.startswith("#")]
     if not len(lines) == len(statements) == len(_GWYDDION) or None in statements or not all(
@@ -104,24 +104,24 @@ def _agreed_mark(earlier, text):
 
 
 class TextHeader:
-    """Sizes in metres; None where the header does not state them.
+    """What a header states. Sizes are in metres, and None if it does not state them.
 
-    Raises Refused where it contradicts itself or can be read in several ways, unless an option
-    of the user settles that.
+    Raises Refused if it contradicts itself or can be read in several ways, unless an option of
+    the user decides.
     """
 
     def __init__(self, lines, options):
         self._options = options
         self._stated = {}          # length and text of each statement that must not be contradicted
         self.side = {}
-        self.spacing = {}          # along x, y or, unless these are there, xy
-        self.metres = None         # of a value of 1
-        self.quantity = ""         # of values that are no length
-        self.coordinate = None     # metres of a coordinate of 1
+        self.spacing = {}          # along x, y or, if these are missing, xy
+        self.metres = None         # metres in a value of 1
+        self.quantity = ""         # unit of values that are no lengths
+        self.coordinate = None     # metres in a coordinate of 1
         self.rows = self.columns = None
         self.name = ""
-        self.mark = None           # of missing points among the heights
-        self._default = {}         # metres of lengths along x and y that come without a unit
+        self.mark = None           # the value of missing points
+        self._default = {}         # metres in 1 along x and y, if a length has no unit
         self._has_factor = False
         lines = _in_english(lines)
         statements = [found for found in map(take_apart, lines) if found]
@@ -131,14 +131,14 @@ class TextHeader:
                 self._agree(f"the unit along {key[0]}", metres_in(value), value, "--size")
         keys = [key for key, _, _ in statements]
         if "bit2nm" in keys:
-            self._default = self._default or {"x": 1e-9, "y": 1e-9}   # of SPIP
+            self._default = self._default or {"x": 1e-9, "y": 1e-9}   # as in SPIP
             if any(key == "z-unit" and value != "nm" for key, value, _ in statements):
                 raise Refused("states both Bit2nm and another unit of heights")
         for line in lines:
             self._read_line(line)
 
     def _agree(self, what, length, text, *options):
-        """Refuse a statement that contradicts an earlier one, unless the user settles it."""
+        """Refuse a statement that contradicts an earlier one, unless an option decides."""
         earlier, as_text = self._stated.setdefault(what, (length, text))
         is_same = earlier == length or (
             None not in (earlier, length) and abs(earlier - length) <= 1e-3 * abs(length))
@@ -148,7 +148,7 @@ class TextHeader:
                           f"{' or '.join(options)} says what it is")
 
     def _length(self, value, unit, axes=""):
-        """Metres of a length along the axes; None if its unit is not known."""
+        """A length along the axes in metres; None if it has no unit and no default."""
         if may_be_thousands(value) and not self._options.decimal:
             raise Refused(f"states the length '{value} {unit}' in its header, whose comma may be a "
                           "decimal sign or separate thousands: --decimal comma or --decimal point "
@@ -177,7 +177,7 @@ class TextHeader:
                 self._read_statement(*statement)
 
     def _read_statement(self, key, value, unit):
-        if unit.lower() in ("px", "pixel", "pixels"):   # an image of so many, no length
+        if unit.lower() in ("px", "pixel", "pixels"):   # points of an image, no length
             return
         text = f"{value} {unit}" if unit else value
         if key in _WIDTH or key in _HEIGHT:
@@ -215,11 +215,11 @@ class TextHeader:
         self._agree("the factor of its heights", self.metres, f"{value} {unit}", "--unit")
 
     def without_marks(self, heights):
-        """The heights with nan for those that the header says are none."""
+        """The heights, with nan for the value of missing points."""
         return heights if self.mark is None else np.where(heights == self.mark, np.nan, heights)
 
     def size(self, nx, ny):
-        """lx, ly of so many points; None if not both are stated."""
+        """lx, ly of nx × ny points; None unless both are stated."""
         sides = tuple(whole_side(n, self.side.get(axis), self._step(axis))
                       for axis, n in zip("xy", (nx, ny)))
         return sides if all(sides) else None
