@@ -17,7 +17,7 @@ namespace strait
     for (const fs::path &folder : {executable.parent_path() / ".." / "share" / "strait",
                                    fs::path(STRAIT_INSTALLED_TOOLS),
                                    fs::path(STRAIT_SOURCE_TOOLS)})
-      if (fs::exists(folder / name, ignored))
+      if (folder.is_absolute() && fs::exists(folder / name, ignored))
         return (folder / name).lexically_normal().string();
     return {};
   }

@@ -41,6 +41,29 @@ namespace strait
       // The last two may agree by chance: assume at least half of the change before.
       return std::max(error, .5 * change(*fourth, second));
     }
+
+    /** Whether the search for critical loads begins on coarser grids. */
+    bool
+    searches_from_coarser_grids(const Scene &scene)
+    {
+      return scene.programme.find_threshold && scene.fluid.mesh_file.empty() &&
+             !scene.depends_on_path();
+    }
+
+    /** Return how many coarser grids results are compared with. */
+    int
+    n_wanted_grids(const Scene &scene)
+    {
+      // On a path the transitions on two grids may agree by chance: there is a third one.
+      if (scene.output.error_budget && scene.depends_on_path() &&
+          (scene.programme.find_threshold || scene.programme.find_blow_out))
+        return 2;
+      // A formula or a map may have unknown creases, for which a coarser grid is a test.
+      const bool may_have_creases = scene.surface.kind == SurfaceKind::expression ||
+                                    scene.surface.kind == SurfaceKind::file;
+      return std::max(n_compared_grids(scene),
+                      may_have_creases && searches_from_coarser_grids(scene) ? 1 : 0);
+    }
   } // namespace
 
   int
@@ -71,27 +94,17 @@ namespace strait
     };
     if (!can_be_coarsened(heights.grid()))
       warn_of_unknown("Contact/Grid points must be even and 64 or more to be halved");
-    const bool searches = scene.programme.find_threshold &&
-                          scene.fluid.mesh_file.empty() && !scene.depends_on_path();
-    // A formula or a map may have unknown creases, for which a coarser grid is a test.
-    const bool is_tested = searches && (scene.surface.kind == SurfaceKind::expression ||
-                                        scene.surface.kind == SurfaceKind::file);
-    // On a path the transitions on two grids may agree by chance: there is a third one.
-    const int n_wanted =
-      scene.output.error_budget && scene.depends_on_path() &&
-          (scene.programme.find_threshold || scene.programme.find_blow_out)
-        ? 2
-        : std::max(n_compared_grids(scene), is_tested ? 1 : 0);
+    const int n_wanted = n_wanted_grids(scene);
     // Leave out the last level of windows, to compare their points as well.
     ContactParameters coarser = contact;
     coarser.zoom.points_along_throat /= 3.;
     SlabField coarse = heights;
     try
       {
-        while (
-          can_be_coarsened(coarse.grid()) &&
-          (size() < n_wanted ||
-           (searches && std::min(coarse.grid().nx, coarse.grid().ny) > fewest_points)))
+        while (can_be_coarsened(coarse.grid()) &&
+               (size() < n_wanted ||
+                (searches_from_coarser_grids(scene) &&
+                 std::min(coarse.grid().nx, coarse.grid().ny) > fewest_points)))
           {
             coarse = restrict_by_injection(coarse);
             seals.push_back(make(coarser, coarse));

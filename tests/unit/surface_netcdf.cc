@@ -108,7 +108,7 @@ namespace
       read_map(replaced(canonical_map(), name, std::string("\0\0\0\1r\0\0\0", 8)));
     EXPECT_EQ(map.nx, 2);
     EXPECT_EQ(map.values[1], 4.);
-    EXPECT_DOUBLE_EQ(map.size.value().at(0), 30.);
+    EXPECT_DOUBLE_EQ(map.size.value().at(0), 40.);
     EXPECT_TRUE(
       mentions(complaint_of_map(replaced(canonical_map(), "heights", "voltage")),
                "no two-dimensional variable 'heights': type \""));
