@@ -268,6 +268,13 @@ namespace strait
           print_comment(meaning_of(parameter) + " Values: " + parameter.allowed + ".",
                         indent(open),
                         out);
+        if (const std::string &value = parameter.value;
+            value.find('#') != std::string::npos ||
+            (!value.empty() && value.back() == '\\'))
+          throw InputError(
+            parameter.section + "/" + parameter.name + " = '" + value +
+            "' has a # or ends with a backslash, which a scene file cannot "
+            "state; rename the file or folder.");
         out << indent(open) << trim("set " + parameter.name + " = " + parameter.value)
             << "\n";
       }

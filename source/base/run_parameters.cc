@@ -54,8 +54,9 @@ namespace strait
     section.when("Contact/Adhesion/Enabled = true")
       .add("Jump tolerance", jump_tolerance, not_negative.at_most(1.))
       .meaning =
-      "With adhesion: width to which the load of a jump is enclosed, as a fraction of "
-      "the largest of Pressures [1]; 0: jumps are not looked for.";
+      "With adhesion: width to which a jump is enclosed in load, or in mean gap if that "
+      "is controlled, as a fraction of the largest of Pressures [1]; 0: jumps are not "
+      "looked for.";
   }
 
   void

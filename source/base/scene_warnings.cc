@@ -27,6 +27,10 @@ namespace strait
     ignores(fluid.rarefaction != Rarefaction::none, "Fluid/Rarefaction");
     ignores(fluid.feedback.enabled, "Fluid/Wall feedback");
     ignores(contact.adhesion.enabled, "Contact/Adhesion");
+    if (theory.enabled && contact.yields && programme.path != LoadPath::loading)
+      warnings.emplace_back(
+        "the theory of a contact that yields is that of a first loading; it knows nothing "
+        "of the indentations that are left on the way back.");
     if (fluid.is_gas && fluid.feedback.enabled)
       warnings.emplace_back(
         "a gas presses on the walls with its absolute pressure, so the loads count from "

@@ -5,7 +5,6 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +13,6 @@ namespace strait
 {
   namespace
   {
-    // A quartic edge over a quarter of a turn is off its circle by 1e-6 of the radius,
-    // and by 32 times less after each refinement. Half of the degree leaves more of that
-    // to refinement; double of it costs time at every point.
-    constexpr unsigned int degree_of_arcs = 4;
-
     /** Return the exponent of the largest cells of the box. deal.II needs two of them
      *  across for periodicity. */
     int
@@ -38,13 +32,14 @@ namespace strait
     , flow_direction(direction)
     , seal_mesh(seal)
     , root_exponent(exponent_of_roots(periodic_grid))
-    , cell_mapping(seal != nullptr && !seal->circles.empty() ? degree_of_arcs : 1)
+    , cell_mapping(seal != nullptr && !seal->circles.empty() ? SealMesh::degree_of_arcs
+                                                             : 1)
     , tria(gap.layout().communicator())
   {
     if (seal_mesh == nullptr)
       make_box();
     else
-      make_seal();
+      make_triangulation(*seal_mesh, tria);
   }
 
   void
@@ -64,32 +59,6 @@ namespace strait
     dealii::GridTools::collect_periodic_faces(
       tria, periodic_first, periodic_last, 1 - axis_along(), pairs);
     tria.add_periodicity(pairs);
-  }
-
-  /** Make the coarse mesh of the seal, with a manifold for each circle. */
-  void
-  FlowMesh::make_seal()
-  {
-    std::vector<dealii::Point<2>>    points = seal_mesh->points;
-    std::vector<dealii::CellData<2>> cells;
-    dealii::SubCellData              boundary;
-    for (const auto &corners : seal_mesh->cells)
-      cells.emplace_back().vertices = {corners[0], corners[1], corners[3], corners[2]};
-    for (const SealMesh::Edge &edge : seal_mesh->edges)
-      {
-        dealii::CellData<1> line;
-        line.vertices    = {edge.from, edge.to};
-        line.boundary_id = static_cast<dealii::types::boundary_id>(edge.kind);
-        if (edge.circle >= 0)
-          line.manifold_id = static_cast<dealii::types::manifold_id>(edge.circle);
-        boundary.boundary_lines.push_back(line);
-      }
-    dealii::GridTools::delete_unused_vertices(points, cells, boundary);
-    dealii::GridTools::consistently_order_cells(cells);
-    tria.create_triangulation(points, cells, boundary);
-    for (std::size_t k = 0; k < seal_mesh->circles.size(); ++k)
-      tria.set_manifold(static_cast<dealii::types::manifold_id>(k),
-                        dealii::SphericalManifold<2>(seal_mesh->circles[k].centre));
   }
 
   GridCell

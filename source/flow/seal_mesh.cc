@@ -5,6 +5,13 @@
 #include <strait/base/text.h>
 #include <strait/flow/seal_mesh.h>
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -39,6 +46,7 @@ namespace strait
         find_edges();
         find_circles();
         recognise_shape(mesh, boundary, name);
+        check_bent_cells();
         return std::move(mesh);
       }
 
@@ -139,12 +147,86 @@ namespace strait
           }
       }
 
+      /** A side that is bent onto its circle must not cut through its cell, nor through
+       *  one of the cells that this is refined into, whose inner sides are straight. */
+      void
+      check_bent_cells() const
+      {
+        // The height of an arc falls by four with each refinement, the thickness of a
+        // cell by two. Of nine rings of two or three layers whose cells turn inside out,
+        // those of three do so unrefined, of five after one refinement, and of one after
+        // two; five refinements find no other.
+        constexpr int            n_refinements = 3;
+        dealii::Triangulation<2> cells;
+        make_triangulation(mesh, cells);
+        const dealii::MappingQ<2>   mapping(SealMesh::degree_of_arcs);
+        const dealii::FE_Nothing<2> nothing;
+        dealii::FEValues<2>         values(mapping,
+                                   nothing,
+                                   dealii::QIterated<2>(dealii::QTrapezoid<1>(), 8),
+                                   dealii::update_jacobians);
+        for (int level = 0; level <= n_refinements; ++level)
+          {
+            for (const auto &cell : cells.active_cell_iterators_on_level(level))
+              {
+                if (!is_bent(*cell))
+                  continue;
+                values.reinit(cell);
+                for (const unsigned int q : values.quadrature_point_indices())
+                  if (!(values.jacobian(q).determinant() > 0.))
+                    fail(format("has a cell at (%.6g, %.6g)",
+                                cell->center()[0],
+                                cell->center()[1]) +
+                         " that turns inside out, now or refined, where its side is bent "
+                         "onto a circle: put more cells along that circle");
+                cell->set_refine_flag();
+              }
+            cells.execute_coarsening_and_refinement();
+          }
+      }
+
+      static bool
+      is_bent(const dealii::CellAccessor<2> &cell)
+      {
+        return std::any_of(cell.face_indices().begin(),
+                           cell.face_indices().end(),
+                           [&](const unsigned int face) {
+                             return cell.face(face)->manifold_id() !=
+                                    dealii::numbers::flat_manifold_id;
+                           });
+      }
+
       const MeshFile                        &file;
       const std::string                     &name;
       SealMesh                               mesh;
       std::map<unsigned int, SealMesh::Edge> boundary; // by the first point
     };
   } // namespace
+
+  void
+  make_triangulation(const SealMesh &seal, dealii::Triangulation<2> &tria)
+  {
+    std::vector<dealii::Point<2>>    points = seal.points;
+    std::vector<dealii::CellData<2>> cells;
+    dealii::SubCellData              boundary;
+    for (const auto &corners : seal.cells)
+      cells.emplace_back().vertices = {corners[0], corners[1], corners[3], corners[2]};
+    for (const SealMesh::Edge &edge : seal.edges)
+      {
+        dealii::CellData<1> line;
+        line.vertices    = {edge.from, edge.to};
+        line.boundary_id = static_cast<dealii::types::boundary_id>(edge.kind);
+        if (edge.circle >= 0)
+          line.manifold_id = static_cast<dealii::types::manifold_id>(edge.circle);
+        boundary.boundary_lines.push_back(line);
+      }
+    dealii::GridTools::delete_unused_vertices(points, cells, boundary);
+    dealii::GridTools::consistently_order_cells(cells);
+    tria.create_triangulation(points, cells, boundary);
+    for (std::size_t k = 0; k < seal.circles.size(); ++k)
+      tria.set_manifold(static_cast<dealii::types::manifold_id>(k),
+                        dealii::SphericalManifold<2>(seal.circles[k].centre));
+  }
 
   SealMesh
   make_seal_mesh(const MeshFile &file, const std::string &name)

@@ -237,6 +237,8 @@ namespace strait
   {
     for (CoarserSeal &seal : seals)
       {
+        if (!seal.state && !stop.starts_new_path) // the surfaces have parted
+          continue;
         Control control{stop.target, scene.fluid.inlet_pressure, stop.slip_length};
         if (const Transition *own = threshold_of(seal.thresholds, stop.slip_length);
             own != nullptr && reference_critical_load != nullptr && stop.is_reduced)

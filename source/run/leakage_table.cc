@@ -191,8 +191,9 @@ namespace strait
         {"with `Find threshold`", scene.fluid.enabled && scene.programme.find_threshold})
       .add(
         [](const Step &step) { return step.reduced_load.value_or(std::nan("")); },
-        "reduced_load [1]: 1 − L/L_c with the middle of the bracket of L_c; `nan` on the "
-        "other branch of the load path, if states depend on it");
+        "reduced_load [1]: 1 − L/L_c with the middle of the bracket of L_c; if states "
+        "depend on the load path, `nan` once it has turned back, until it goes further "
+        "than before");
     add_leak_rates(table, scene, with_flow);
     table.when(with_contact)
       .add(

@@ -32,22 +32,32 @@ namespace strait
       return upwards ? a.target < b.target : a.target > b.target;
     };
     std::stable_sort(near_threshold.begin(), near_threshold.end(), comes_first);
-    if (!near_threshold.empty())
-      near_threshold.front().starts_new_path = true;
+    for (std::vector<LoadStop> *path : {&stops, &near_threshold})
+      if (!path->empty())
+        path->front().starts_new_path = true;
     stops.insert(stops.end(), near_threshold.begin(), near_threshold.end());
 
     const bool path_matters =
       scene.depends_on_path() || scene.programme.path == LoadPath::cycle;
-    bool loads = upwards;
+    // Under gap control, loading means that the mean gap falls.
+    const bool rises_with_load = scene.contact.is_load_controlled();
+    bool       loads           = upwards;
+    double     furthest        = 0.; // target of the path so far
     for (std::size_t k = 0; k < stops.size(); ++k)
       {
-        if (stops[k].starts_new_path)
-          loads = upwards;
-        else if (path_matters && k > 0 && stops[k].target != stops[k - 1].target)
-          // Under gap control, loading means that the mean gap falls.
-          loads =
-            (stops[k].target > stops[k - 1].target) == scene.contact.is_load_controlled();
-        stops[k].branch = loads ? "loading" : "unloading";
+        LoadStop &stop = stops[k];
+        if (stop.starts_new_path)
+          {
+            loads    = upwards;
+            furthest = stop.target;
+          }
+        else if (path_matters && stop.target != stops[k - 1].target)
+          loads = (stop.target > stops[k - 1].target) == rises_with_load;
+        stop.branch       = loads ? "loading" : "unloading";
+        stop.goes_further = stop.target == furthest ||
+                            (stop.target > furthest) == (rises_with_load == upwards);
+        if (stop.goes_further)
+          furthest = stop.target;
       }
     return stops;
   }

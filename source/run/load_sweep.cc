@@ -192,11 +192,8 @@ namespace strait
       step.state.contact ? step.state.contact->nominal_pressure : 0.;
     step.doubts.clear();
     step.reduced_load.reset();
-    // A seal that depends on its past has another critical load on the other branch.
-    const bool is_of_branch =
-      !scene.depends_on_path() ||
-      (step.branch == "unloading") == (scene.programme.path == LoadPath::unloading);
-    if (threshold != nullptr && is_of_branch)
+    // A seal that depends on its past has another critical load once it has turned back.
+    if (threshold != nullptr && (!scene.depends_on_path() || stop.goes_further))
       {
         step.reduced_load = 1. - pressure / threshold->middle();
         step.doubts =

@@ -250,11 +250,11 @@ namespace strait
         return jump.is_pull_off() ? std::nan("") : jump.after.*value;
       };
     };
-    Table<Jump> table("jumps.csv",
-                      {"with adhesion",
-                       scene.contact.enabled && scene.contact.adhesion.enabled},
-                      "One row for each jump on the way from load to load, between the "
-                      "last state before it and the first one after it.");
+    Table<Jump> table(
+      "jumps.csv",
+      {"with adhesion", scene.contact.enabled && scene.contact.adhesion.enabled},
+      "One row for each jump on the way from load to load, between the "
+      "last state before it and the first one after it; no file without a jump.");
     table
       .add(
         [](const Jump &jump) -> std::string {
@@ -266,9 +266,11 @@ namespace strait
         "if the surfaces part: no state follows, and gap and area after it are `nan`")
       .add([](const Jump &jump) { return jump.before.pressure; },
            "pressure_before [pressure]: nominal pressure before the jump")
-      .add([](const Jump &jump) { return jump.after.pressure; },
-           "pressure_after [pressure]: nominal pressure after it, at most `Load "
-           "programme/Jump tolerance` away, or a warning says that some are farther")
+      .add(
+        [](const Jump &jump) { return jump.after.pressure; },
+        "pressure_after [pressure]: nominal pressure after it; the load, or the mean "
+        "gap if that is controlled, is at most `Load programme/Jump tolerance` away, or "
+        "a warning says that some are farther")
       .add([](const Jump &jump) { return jump.before.mean_gap; },
            "mean_gap_before [length]: mean gap before the jump, as in leakage.csv")
       .add(after(&PathPoint::mean_gap), "mean_gap_after [length]: mean gap after it")
@@ -279,8 +281,9 @@ namespace strait
       .add(&Jump::dissipated,
            "dissipated_energy [pressure length]: dissipated energy per area: what the "
            "change of the energy falls short of the reversible one, half the sum of mean "
-           "gap × change of load at both ends; uncertain by half their difference, and "
-           "`nan` for a pull-off");
+           "gap × change of load at both ends, or of −pressure × change of mean gap if "
+           "that is controlled; uncertain by half their difference, and `nan` for a "
+           "pull-off");
     return table;
   }
 

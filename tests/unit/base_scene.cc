@@ -126,6 +126,15 @@ TEST(Scene, PathOfAMapCountsFromTheSceneOrTheCurrentFolder)
   EXPECT_EQ(map_file({"Surface/File=/m.npy"}), "/m.npy");
 }
 
+// The scene that a run leaves behind must repeat it.
+TEST(Scene, NoValueIsTakenThatASceneFileCannotState)
+{
+  for (const char *path : {"/maps/a#2.npy", "/maps/a\\"})
+    expect_in("which a scene file cannot state",
+              error_of("", {"Surface/Kind=file", std::string("Surface/File=") + path}));
+  expect_in("Output/Directory = ", error_of("", {"Output/Directory=/results#1"}));
+}
+
 // The printed parameters are allowed values and read back as the default scene.
 TEST(Scene, PrintedParametersAreAScene)
 {

@@ -149,5 +149,48 @@ namespace strait
       EXPECT_FALSE(fit_circle({{0., 0.}, {1., 1.}, {2., 2.}}).has_value());
       EXPECT_FALSE(fit_circle({{0., 0.}, {1., 1.}}).has_value());
     }
+
+    /** A ring of @p n_layers layers of cells, from the radius 1 to 1 + @p width. */
+    MeshFile
+    ring(const unsigned int n_around, const unsigned int n_layers, const double width)
+    {
+      MeshFile   file;
+      const auto number = [n_around](const unsigned int layer, const unsigned int k) {
+        return layer * n_around + k % n_around;
+      };
+      for (unsigned int layer = 0; layer <= n_layers; ++layer)
+        for (unsigned int k = 0; k < n_around; ++k)
+          {
+            const double angle = 2 * M_PI * k / n_around,
+                         r     = 1. + width * layer / n_layers;
+            file.points.emplace_back(r * std::cos(angle), r * std::sin(angle));
+            if (layer < n_layers)
+              file.quadrilaterals.push_back({number(layer, k),
+                                             number(layer + 1, k),
+                                             number(layer + 1, k + 1),
+                                             number(layer, k + 1)});
+            if (layer == 0 || layer == n_layers)
+              file.lines.push_back({{number(layer, k), number(layer, k + 1)},
+                                    layer == 0 ? 1 : 2,
+                                    layer == 0 ? 0 : 1});
+          }
+      return file;
+    }
+
+    // With eight cells around it the inner circle reaches 1/cos(22.5°) − 1 = 0.08 beyond
+    // the straight sides between two layers of equal radius. Refined cells are thinner.
+    TEST(MeshFile, SidesOnACircleMustNotCutThroughCells)
+    {
+      for (const double width : {.1, .15, .17, .2})
+        EXPECT_NE(message_of([&]() {
+                    make_seal_mesh(ring(8, 2, width), "r");
+                  }).find("turns inside out, now or refined, where its side is bent"),
+                  std::string::npos)
+          << width;
+      make_seal_mesh(ring(8, 2, .3), "wide");
+      make_seal_mesh(ring(8, 1, .1), "one layer");
+      make_seal_mesh(ring(64, 1, .01), "thin");
+      make_seal_mesh(ring(16, 2, .1), "more cells");
+    }
   } // namespace
 } // namespace strait

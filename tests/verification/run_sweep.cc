@@ -265,6 +265,27 @@ namespace strait
         }
     }
 
+    // Every second point parts two steps before the grid itself.
+    TEST(ErrorBudget, GoesOnWhereCoarserPointsHaveParted)
+    {
+      Scene scene;
+      scene.surface.short_cut_off_wavelength = .125;
+      scene.contact.grid_points              = {{64, 64}};
+      scene.contact.adhesion.enabled         = true;
+      scene.contact.adhesion.surface_energy  = .02;
+      scene.contact.adhesion.tabor_number    = 1.;
+      scene.programme.pressures              = {.05, -.07, -.0802, -.0805};
+      scene.output.error_budget              = true;
+      const Sweep found                      = run_sweep(scene);
+      ASSERT_EQ(found.rows.size(), 4U);
+      EXPECT_TRUE(std::isfinite(found.rows[1].error));
+      for (const std::size_t k : {2, 3})
+        {
+          EXPECT_GT(found.rows[k].leak_rate, 0.);
+          EXPECT_TRUE(std::isnan(found.rows[k].error));
+        }
+    }
+
     // Both grids then report the outlet pressure, which tells nothing about the error.
     TEST(ErrorBudget, ABlowOutOfASealThatLeaksHasNone)
     {

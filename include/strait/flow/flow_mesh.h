@@ -111,7 +111,6 @@ namespace strait
 
   private:
     void make_box();
-    void make_seal();
 
     PeriodicGrid        periodic_grid;
     FlowDirection       flow_direction;

@@ -4,6 +4,7 @@
 #include <strait/percolation/flow_region.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/grid/tria.h>
 
 #include <array>
 #include <map>
@@ -41,6 +42,12 @@ namespace strait
       OutlineKind  kind   = OutlineKind::right_wall;
       int          circle = -1; // position in circles; −1: straight
     };
+
+    /** Degree of the mapping of cells with sides on circles. A quartic edge over a
+     * quarter of a turn is off its circle by 1e-6 of the radius, and by 32 times less
+     * after each refinement. Half of the degree leaves more of that to refinement; double
+     * of it costs time at every point. */
+    static constexpr unsigned int degree_of_arcs = 4;
 
     std::vector<dealii::Point<2>>            points;
     std::vector<std::array<unsigned int, 4>> cells; // corners counter-clockwise
@@ -81,10 +88,14 @@ namespace strait
 
   /**
    * Make the mesh of a Gmsh file; @p name stands for it in messages. Throws InputError,
-   * the same on all ranks, if a cell is not convex, if cells overlap, or if the boundary
-   * touches itself or is neither that of a strip nor that of a ring.
+   * the same on all ranks, if a cell is not convex, or turns inside out where its side is
+   * bent onto a circle, if cells overlap, or if the boundary touches itself or is neither
+   * that of a strip nor that of a ring.
    */
   SealMesh make_seal_mesh(const MeshFile &file, const std::string &name);
+
+  /** Make the coarse triangulation of @p seal, with a manifold for each circle. */
+  void make_triangulation(const SealMesh &seal, dealii::Triangulation<2> &tria);
 
   /** Read the mesh from the Gmsh file at @p path. Throws InputError if that fails or if
    *  the mesh leaves the box of @p grid. Collective. */

@@ -26,6 +26,7 @@ namespace strait
     double slip_length;
     bool   is_reduced      = false; // the target comes from a reduced load
     bool   starts_new_path = false; // a new path begins here
+    bool   goes_further    = true;  // than all before it on its path, or as far
 
     /** "loading" or "unloading", as the scene says; in a cycle, or if the state depends
      *  on its past, the direction of the last change of the target. */
