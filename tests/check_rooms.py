@@ -22,7 +22,7 @@ ROOMS = ["base", "spectral", "surface", "contact", "percolation",
 WITHOUT_DEAL_II = ["base", "spectral", "surface", "contact", "percolation",
                    "theory"]
 # Headers whose declarations may have a source each.
-SHARED_HEADERS = ("base/memory.h", "base/scene.h",
+SHARED_HEADERS = ("base/memory.h", "base/parameter_table.h", "base/scene.h",
                   "surface/readers/height_map.h", "surface/map_processing.h",
                   "contact/gap_optimisation.h", "contact/optimisers.h",
                   "spectral/state_archive.h",

@@ -137,13 +137,13 @@ namespace strait
         const double flow =
           std::min(disagreement(*cell, p, conductivity, psi, plain.lower),
                    plain.upper - plain.lower);
-        double hidden = flow / plain.upper * std::min(flow * resistivity, 1.);
+        double disputed = flow / plain.upper * std::min(flow * resistivity, 1.);
         // A cell without contact takes the same part of the drop however small it is.
         const double excess  = resistivity - 1. / conductivity;
         const double on_path = width * std::min(through_path * excess, 1.);
-        if (on_path > hidden && touches(path, *cell))
-          hidden = on_path;
-        result(cell->active_cell_index()) = static_cast<float>(hidden);
+        if (on_path > disputed && touches(path, *cell))
+          disputed = on_path;
+        result(cell->active_cell_index()) = static_cast<float>(disputed);
       }
     return result;
   }
@@ -186,13 +186,13 @@ namespace strait
     if (!channel.paths.empty())
       n_places =
         static_cast<double>(divide_into_constrictions(channel.paths.front().gaps).size());
-    const double hidden_flow           = 1. / n_places * (1. - plain.lower / plain.upper);
-    const dealii::Vector<float> hidden = disputed_flows(channel);
+    const double most_disputed = 1. / n_places * (1. - plain.lower / plain.upper);
+    const dealii::Vector<float> disputed = disputed_flows(channel);
     unsigned long long          n_marked = 0;
     for (const auto &cell : tria.active_cell_iterators())
       if (cell->is_locally_owned() &&
           (plain.contributions(cell->active_cell_index()) > contribution ||
-           hidden(cell->active_cell_index()) > hidden_flow))
+           disputed(cell->active_cell_index()) > most_disputed))
         {
           cell->set_refine_flag();
           ++n_marked;

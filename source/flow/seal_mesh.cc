@@ -152,6 +152,8 @@ namespace strait
       void
       check_bent_cells() const
       {
+        if (mesh.circles.empty())
+          return;
         // The height of an arc falls by four with each refinement, the thickness of a
         // cell by two. Of nine rings of two or three layers whose cells turn inside out,
         // those of three do so unrefined, of five after one refinement, and of one after

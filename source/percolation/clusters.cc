@@ -24,8 +24,8 @@ namespace strait
     void
     join(std::vector<std::int64_t> &parent, const std::int64_t a, const std::int64_t b)
     {
-      const std::int64_t first_of_a = root_of(parent, a), first_of_b = root_of(parent, b);
-      parent[std::max(first_of_a, first_of_b)] = std::min(first_of_a, first_of_b);
+      const std::int64_t root_a = root_of(parent, a), root_b = root_of(parent, b);
+      parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
     }
 
     /** The sets of joined open points that this rank knows, in the form of root_of(). */

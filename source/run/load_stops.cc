@@ -41,6 +41,7 @@ namespace strait
       scene.depends_on_path() || scene.programme.path == LoadPath::cycle;
     // Under gap control, loading means that the mean gap falls.
     const bool rises_with_load = scene.contact.is_load_controlled();
+    const bool rises_on_path   = rises_with_load == upwards;
     bool       loads           = upwards;
     double     furthest        = 0.; // target of the path so far
     for (std::size_t k = 0; k < stops.size(); ++k)
@@ -53,9 +54,9 @@ namespace strait
           }
         else if (path_matters && stop.target != stops[k - 1].target)
           loads = (stop.target > stops[k - 1].target) == rises_with_load;
-        stop.branch       = loads ? "loading" : "unloading";
-        stop.goes_further = stop.target == furthest ||
-                            (stop.target > furthest) == (rises_with_load == upwards);
+        stop.branch = loads ? "loading" : "unloading";
+        stop.goes_further =
+          stop.target == furthest || (stop.target > furthest) == rises_on_path;
         if (stop.goes_further)
           furthest = stop.target;
       }

@@ -36,6 +36,9 @@ namespace strait
   /** leakage.csv, with the columns of the effects that @p scene enables. */
   Table<Step> leakage_table(const Scene &scene);
 
+  /** The condition of tables that need critical loads. */
+  Condition with_threshold(const Scene &scene);
+
   /** threshold.csv: critical loads. */
   Table<Transition> threshold_table(const Scene &scene);
 
