@@ -61,12 +61,20 @@ namespace
     Log log(MPI_COMM_WORLD, command.quiet);
     catch_signals();
     if (command.dry_run)
-      {
-        describe(scene, log);
-        return 0;
-      }
+      describe(scene, log);
     if (!command.force && !command.resume)
-      refuse_to_replace_results(scene, MPI_COMM_WORLD);
+      try
+        {
+          refuse_to_replace_results(scene, MPI_COMM_WORLD);
+        }
+      catch (const InputError &error)
+        {
+          if (!command.dry_run)
+            throw;
+          log.warn(std::string("a run would end here: ") + error.what());
+        }
+    if (command.dry_run)
+      return 0;
     if (!run_all_realisations(scene, log, command.resume))
       throw ComputationError(
         "Some steps, or states that a critical load or blow-out pressure rests on, did "

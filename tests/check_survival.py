@@ -613,6 +613,24 @@ end
                 self.run_to_end(scene, output, "--force")
                 self.assert_same(reference, output)
 
+    def test_files_of_the_user_are_kept(self):
+        scene = self.scene(DRY)
+        for name, text in (("parameters.prm", DRY), ("parameters.prm", "my notes\n"),
+                           ("log.txt", "my notes\n")):
+            with self.subTest(name, text=text[:8]):
+                output = self.path(f"{name}-of-{len(text)}-characters")
+                os.makedirs(output)
+                with open(os.path.join(output, name), "w", encoding="utf-8") as file:
+                    file.write(text)
+                before = contents(output)
+                refused = f"has a {name} that no run has written; .*--force"
+                self.assertRegex(self.run_to_end(scene, output, status=2), refused)
+                dry_run = [OPTIONS.program, scene, "--output", output, "--dry-run"]
+                self.assertRegex(subprocess.check_output(dry_run, text=True),
+                                 "a run would end here: .*" + refused)
+                self.assertEqual(contents(output), before)
+        self.run_to_end(scene, output, "--force")
+
     def test_full_disk(self):
         """Files may not exceed a limit, which the checkpoint reaches, and then the fields."""
         scene = self.scene(DRY)

@@ -14,6 +14,7 @@
 #include <pybind11/iostream.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "arrays.h"
@@ -76,6 +77,8 @@ namespace strait::python
     {
       start();
       require(array.ndim() == 2, "The heights must be an array of two dimensions.");
+      require(size[0] > 0. && size[1] > 0. && std::isfinite(size[0] + size[1]),
+              "The size must be lengths above zero.");
       const PeriodicGrid      grid{static_cast<int>(array.shape(1)),
                               static_cast<int>(array.shape(0)),
                               size[0],

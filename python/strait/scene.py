@@ -53,9 +53,9 @@ def _text(value: Any) -> str:
         return "true" if value else "false"
     if isinstance(value, (str, os.PathLike)):
         return os.fspath(value)
-    if isinstance(value, Iterable):
+    if isinstance(value, Iterable) and getattr(value, "ndim", 1) > 0:
         return ", ".join(map(_text, value))
-    return repr(value.item() if isinstance(value, np.generic) else value)
+    return repr(value.item() if isinstance(value, (np.generic, np.ndarray)) else value)
 
 
 def _value(text: str) -> Any:
@@ -213,10 +213,13 @@ class _TemporaryFolder:
         self.remove = weakref.finalize(self, shutil.rmtree, path, ignore_errors=True)
 
 
-def unmasked(heights: np.ndarray | None) -> np.ndarray | None:
-    """The heights. Raises SceneError if a mask hides points, which would be taken for heights."""
+def checked_heights(heights: np.ndarray | None) -> np.ndarray | None:
+    """The heights. Raises SceneError if a mask hides points, which would be taken for heights,
+    or if they are complex, of which the real part would be taken."""
     if np.ma.is_masked(heights):
         raise _core.SceneError("The heights have masked points; fill them first.")
+    if np.iscomplexobj(heights):
+        raise _core.SceneError("The heights are complex numbers; take their real part.")
     return heights
 
 
@@ -228,4 +231,4 @@ def statistics(heights: np.ndarray, size: float | tuple[float, float] = 1.) -> d
     >>> round(statistics(np.cos(2 * np.pi * x) * np.ones((32, 1)))["rms_slope"], 6)
     4.442883
     """
-    return _core.statistics(unmasked(heights), np.broadcast_to(size, 2))
+    return _core.statistics(checked_heights(heights), np.broadcast_to(size, 2))

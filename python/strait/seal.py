@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from .scene import Scene, unmasked
+from .scene import Scene, checked_heights
 
 
 class Path(Sequence):
@@ -48,7 +48,7 @@ class Seal(_core.Seal):
     """
 
     def __init__(self, scene: Scene, heights: np.ndarray | None = None, comm: Any = None):
-        super().__init__(scene, unmasked(heights), comm)
+        super().__init__(scene, checked_heights(heights), comm)
         self.scene = scene
 
     def solve(self, control: float | _core.Control = 0., from_: _core.State | None = None

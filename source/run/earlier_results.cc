@@ -95,6 +95,23 @@ namespace strait
         }
     }
 
+    /** Whether the program has written the scene in @p file: it stays the same when it is
+     *  read and written again, which a user's does not. */
+    bool
+    is_written_scene(const fs::path &file)
+    {
+      const std::string text = text_of(file.string());
+      try
+        {
+          const std::string folder = file.parent_path().string();
+          return make_scene(lex_scene(text, file.string(), folder)).resolved == text;
+        }
+      catch (const InputError &)
+        {
+          return false;
+        }
+    }
+
     /** Throws if a folder cannot be made or written to. */
     void
     make_folder(const std::string &folder)
@@ -163,17 +180,18 @@ namespace strait
   refuse_results_of_another_scene(const Scene &scene, MPI_Comm comm)
   {
     run_on_root(comm, [&scene]() {
-      const std::string &folder = scene.output.directory;
+      const std::string &folder           = scene.output.directory;
+      const fs::path     scene_of_results = fs::path(folder) / "parameters.prm";
+      const fs::path     log              = fs::path(folder) / "log.txt";
+      const bool         has_scene        = fs::exists(scene_of_results);
       for (const fs::path &file : results_in(folder))
         {
           const std::string name = file.filename().string();
-          if (name == "log.txt" || name == "parameters.prm") // not results
+          if (file == log || file == scene_of_results) // not results
             continue;
-          const fs::path    scene_of_results = fs::path(folder) / "parameters.prm";
           const std::string difference =
-            fs::exists(scene_of_results)
-              ? foreign_scene(scene_of_results, scene)
-              : "whose parameters.prm is missing beside " + name;
+            has_scene ? foreign_scene(scene_of_results, scene)
+                      : "whose parameters.prm is missing beside " + name;
           if (difference.empty())
             return;
           throw InputError(
@@ -182,6 +200,13 @@ namespace strait
                  ", ") +
             "; choose another folder with --output, or overwrite them with --force.");
         }
+      std::error_code error;
+      if (has_scene ? !is_written_scene(scene_of_results)
+                    : fs::file_size(log, error) > 0 && !error)
+        throw InputError("The folder '" + folder + "' has a " +
+                         (has_scene ? "parameters.prm" : "log.txt") +
+                         " that no run has written; choose another folder with --output, "
+                         "or overwrite it with --force.");
     });
   }
 

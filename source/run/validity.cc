@@ -54,7 +54,8 @@ namespace strait
     }
 
     /** Return the advice @p what if the scene allows @p change. If not, return it with
-     *  the reason, or nothing unless it is the only advice. */
+     *  the reason, or nothing unless it is the only advice. The advice that ends such a
+     *  reason, after a semicolon, would be the opposite one. */
     template <typename Change>
     std::string
     advice_to(const char *what, Scene scene, const Change &change, bool is_only = true)
@@ -69,9 +70,10 @@ namespace strait
         }
       catch (const InputError &error)
         {
-          return is_only
-                   ? std::string(what) + ", which this scene excludes: " + error.what()
-                   : "";
+          const std::string reason = error.what();
+          return is_only ? std::string(what) + ", which this scene excludes: " +
+                             reason.substr(0, reason.rfind(';'))
+                         : "";
         }
     }
 

@@ -42,9 +42,11 @@ class Scenes(unittest.TestCase):
 
     def test_numbers_may_be_of_numpy(self):
         scene = strait.Scene({"Load programme/Pressures": np.linspace(0.1, 0.3, 3),
-                              "Surface/Seed": np.int64(3)})
+                              "Surface/Seed": np.int64(3),
+                              "Contact/Effective modulus": np.array(2.)})
         self.assertEqual(scene["Load programme/Pressures"], (0.1, 0.2, 0.3))
         self.assertEqual(scene["surface/seed"], 3)
+        self.assertEqual(scene["contact/effective modulus"], 2)
 
     def test_errors_are_the_programs(self):
         for parameters, sentence in [({"Contact/Grid pints": 8}, "did you mean 'Grid points'"),

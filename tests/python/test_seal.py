@@ -96,6 +96,13 @@ class Seals(unittest.TestCase):
         for call in (lambda: strait.Seal(self.scene, masked), lambda: strait.statistics(masked)):
             with self.assertRaisesRegex(strait.SceneError, "masked points"):
                 call()
+        wavy = 1j * np.eye(64)
+        for call in (lambda: strait.Seal(self.scene, wavy), lambda: strait.statistics(wavy)):
+            with self.assertRaisesRegex(strait.SceneError, "complex numbers"):
+                call()
+        for size in (0., (1., -1.), np.inf, np.nan):
+            with self.assertRaisesRegex(strait.SceneError, "lengths above zero"):
+                strait.statistics(np.eye(64), size)
         inverted = self.scene.replace({"Surface/Invert": True})
         for scene in (inverted, self.scene.replace({"Surface/Detrend": "tilt"})):
             with self.assertWarnsRegex(strait.SceneWarning, "do not act on heights that are given"):

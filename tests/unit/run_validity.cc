@@ -232,6 +232,8 @@ namespace
     expect_in("raise Contact/Grid points\n", zoomed);
     const std::string yielding = advice({"Contact/Yielding=cut-off"});
     expect_in("Fluid/Wall feedback" + excluded, yielding);
+    EXPECT_EQ(yielding.find("switch Fluid/Wall feedback off"), std::string::npos)
+      << "the opposite advice: " << yielding;
     expect_in("raise Contact/Grid points\n", yielding);
     const std::string pressed = advice({"Fluid/Wall feedback/Enabled=true"});
     expect_in("switch on Contact/Zoom\n", pressed);
