@@ -13,6 +13,7 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -44,6 +45,7 @@ namespace strait
         mesh.points = file.points;
         take_cells();
         find_edges();
+        check_crossings();
         find_circles();
         recognise_shape(mesh, boundary, name);
         check_bent_cells();
@@ -71,12 +73,9 @@ namespace strait
             int n_left_turns = 0;
             for (unsigned int v = 0; v < 4; ++v)
               {
-                const auto a =
-                  mesh.points[corners[(v + 1) % 4]] - mesh.points[corners[v]];
-                const auto b =
-                  mesh.points[corners[(v + 2) % 4]] - mesh.points[corners[(v + 1) % 4]];
-                const double turn = a[0] * b[1] - a[1] * b[0];
-                n_left_turns += turn > 0 ? 1 : turn < 0 ? -1 : 0;
+                const double area =
+                  turn(corners[v], corners[(v + 1) % 4], corners[(v + 2) % 4]);
+                n_left_turns += area > 0 ? 1 : area < 0 ? -1 : 0;
               }
             if (n_left_turns == -4)
               std::swap(corners[1], corners[3]);
@@ -100,6 +99,54 @@ namespace strait
           if (edges.count({to, from}) == 0 &&
               !boundary.emplace(from, SealMesh::Edge{from, to}).second)
             fail("touches itself at " + place(from));
+      }
+
+      /** Twice the area of the triangle of three points; positive if it turns left. */
+      double
+      turn(const unsigned int a, const unsigned int b, const unsigned int c) const
+      {
+        const auto ab = mesh.points[b] - mesh.points[a];
+        const auto ac = mesh.points[c] - mesh.points[a];
+        return ab[0] * ac[1] - ab[1] * ac[0];
+      }
+
+      /** Whether @p a and @p b lie on different sides of the line through @p edge, by
+       * more than rounding: both walls of a slit may have the same place. */
+      bool
+      lie_apart(const SealMesh::Edge &edge,
+                const unsigned int    a,
+                const unsigned int    b) const
+      {
+        const double left  = turn(edge.from, edge.to, a);
+        const double right = turn(edge.from, edge.to, b);
+        return left * right < 0. &&
+               std::min(std::abs(left), std::abs(right)) >
+                 rounding * (mesh.points[edge.to] - mesh.points[edge.from]).norm_square();
+      }
+
+      /** A connected mesh whose boundary does not cross itself does not overlap itself
+       *  either. */
+      void
+      check_crossings() const
+      {
+        const auto range = [this](const SealMesh::Edge &edge) {
+          return std::minmax(mesh.points[edge.from][0], mesh.points[edge.to][0]);
+        };
+        std::vector<SealMesh::Edge> edges;
+        for (const auto &entry : boundary)
+          edges.push_back(entry.second);
+        std::sort(edges.begin(), edges.end(), [&range](const auto &a, const auto &b) {
+          return range(a).first < range(b).first;
+        });
+        for (auto one = edges.begin(); one != edges.end(); ++one)
+          for (auto other = one + 1;
+               other != edges.end() && range(*other).first <= range(*one).second;
+               ++other)
+            if (lie_apart(*one, other->from, other->to) &&
+                lie_apart(*other, one->from, one->to))
+              fail("has a boundary that crosses itself at the edges from " +
+                   place(one->from) + " and " + place(other->from) +
+                   ", so that cells overlap");
       }
 
       SealMesh::Edge *

@@ -177,6 +177,41 @@ namespace strait
       return file;
     }
 
+    /** A strip of 32 cells in a row and 0.2 wide that winds up, by @p rise each turn,
+     * with the inlet at its inner end. */
+    MeshFile
+    spiral(const double turns, const double rise)
+    {
+      MeshFile               file;
+      constexpr unsigned int n = 32;
+      for (unsigned int k = 0; k <= n; ++k)
+        for (const double side : {0., .2})
+          {
+            const double turned = turns * k / n, r = 1. + rise * turned + side;
+            file.points.emplace_back(r * std::cos(2 * M_PI * turned),
+                                     r * std::sin(2 * M_PI * turned));
+          }
+      for (unsigned int k = 0; k < 2 * n; k += 2)
+        file.quadrilaterals.push_back({k, k + 1, k + 3, k + 2});
+      file.lines.push_back({{0, 1}, 1, 0});
+      file.lines.push_back({{2 * n, 2 * n + 1}, 2, 1});
+      return file;
+    }
+
+    TEST(MeshFile, TurnsOfASpiralMustNotCrossEachOther)
+    {
+      for (const double rise : {.05, .1, .19})
+        EXPECT_NE(message_of([&]() {
+                    make_seal_mesh(spiral(1.3, rise), "s");
+                  }).find("a boundary that crosses itself at the edges from ("),
+                  std::string::npos)
+          << rise;
+      EXPECT_FALSE(make_seal_mesh(spiral(1.3, .25), "turns apart").is_ring);
+      make_seal_mesh(spiral(.9, 0.), "less than a turn");
+      make_seal_mesh(spiral(1., 0.), "a slit between both ends");
+      make_seal_mesh(spiral(2., .2), "a slit between the turns");
+    }
+
     // With eight cells around it the inner circle reaches 1/cos(22.5°) − 1 = 0.08 beyond
     // the straight sides between two layers of equal radius. Refined cells are thinner.
     TEST(MeshFile, SidesOnACircleMustNotCutThroughCells)

@@ -89,8 +89,8 @@ namespace strait
   /**
    * Make the mesh of a Gmsh file; @p name stands for it in messages. Throws InputError,
    * the same on all ranks, if a cell is not convex, or turns inside out where its side is
-   * bent onto a circle, if cells overlap, or if the boundary touches itself or is neither
-   * that of a strip nor that of a ring.
+   * bent onto a circle, if cells overlap, or if the boundary touches or crosses itself or
+   * is neither that of a strip nor that of a ring.
    */
   SealMesh make_seal_mesh(const MeshFile &file, const std::string &name);
 
