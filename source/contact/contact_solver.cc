@@ -175,29 +175,21 @@ namespace strait
     if (layout->windows().empty())
       {
         zoomed.reset();
-        zoomed_heights = SlabField();
+        zoomed_wall.reset();
         return problem;
       }
-    if (zoomed == nullptr || !(zoomed_heights.layout().windows() == layout->windows()))
+    if (zoomed == nullptr ||
+        !(zoomed_wall->heights.layout().windows() == layout->windows()))
       {
         zoomed.reset(); // before the next one needs its memory
-        zoomed_heights = SlabField(layout);
-        std::copy(wall.at_rest().begin(), wall.at_rest().end(), zoomed_heights.begin());
-        fill_windows(zoomed_heights);
-        zoomed_at_rest = SlabField();
-        zoomed =
-          std::make_unique<ZoomedProblem>(zoomed_heights, parameters.effective_modulus);
+        SlabField heights(layout);
+        std::copy(wall.at_rest().begin(), wall.at_rest().end(), heights.begin());
+        fill_windows(heights);
+        zoomed_wall.emplace(std::move(heights), parameters.effective_modulus);
+        zoomed = std::make_unique<ZoomedProblem>(zoomed_wall->heights,
+                                                 parameters.effective_modulus);
       }
-    if (fluid_pressure != nullptr)
-      {
-        if (zoomed_at_rest.empty())
-          zoomed_at_rest = zoomed_heights;
-        zoomed->displace(*fluid_pressure, zoomed_heights.data());
-        for (std::size_t i = 0; i < zoomed_heights.size(); ++i)
-          zoomed_heights[i] = zoomed_at_rest[i] - zoomed_heights[i];
-      }
-    else if (!zoomed_at_rest.empty())
-      std::copy(zoomed_at_rest.begin(), zoomed_at_rest.end(), zoomed_heights.begin());
+    zoomed_wall->deform(fluid_pressure);
     return *zoomed;
   }
 

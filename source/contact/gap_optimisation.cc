@@ -36,11 +36,17 @@ namespace strait
   void
   GapOptimiser::project_on_free(double *values) const
   {
-    project(
-      problem,
-      [this](const std::size_t i) { return is_free(i); },
-      constraint.fixes_mean_gap,
-      values);
+    for (std::size_t i = 0; i < problem.size; ++i)
+      values[i] = is_free(i) ? values[i] : 0.;
+    if (!constraint.fixes_mean_gap)
+      return;
+    const auto [sum, area] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
+      sums[0] += values[i];
+      sums[1] += is_free(i) ? 1. : 0.;
+    });
+    const double mean      = area > 0 ? sum / area : 0.;
+    for (std::size_t i = 0; i < problem.size; ++i)
+      values[i] -= is_free(i) ? mean : 0.;
   }
 
   void

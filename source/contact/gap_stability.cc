@@ -54,26 +54,18 @@ namespace strait
   } // namespace
 
   double
-  GapOptimiser::smallest_curvature(std::vector<double> &v) const
+  GapOptimiser::smallest_curvature(std::vector<double> &v)
   {
     // A rank without points has none in either case.
-    const bool is_known = maximum(problem.communicator, v.empty() ? 0. : 1.) > 0;
-    std::vector<std::uint8_t> held(problem.size);
-    for (std::size_t i = 0; i < problem.size; ++i)
-      held[i] = !(gap[i] > 0);
-    const auto mask = [&](std::vector<double> &values) {
-      const auto is_open = [&held](const std::size_t i) { return !held[i]; };
-      project(problem, is_open, constraint.fixes_mean_gap, values.data());
-    };
-    const auto precondition_open = [&](std::vector<double> &values) {
-      mask(values);
-      problem.precondition(values.data(), held.data());
-      mask(values); // stay among the admissible fields
+    const bool is_known          = maximum(problem.communicator, v.empty() ? 0. : 1.) > 0;
+    const auto precondition_free = [this](std::vector<double> &values) {
+      project_on_free(values.data());
+      precondition(values.data());
     };
     const auto products = [&](const auto &x, const auto &k_x, const auto &y) {
       const auto [elastic_part, local, mean_x, mean_y] =
         weighted_sums<4>(problem, [&](const auto i, auto &sums) {
-          if (held[i])
+          if (!is_free(i))
             return;
           sums[0] += k_x[i] * y[i];
           sums[1] += curvature[i] * x[i] * y[i];
@@ -84,12 +76,12 @@ namespace strait
                       elastic_part + problem.mean_stiffness() * mean_x * mean_y};
     };
     if (is_known)
-      mask(v);
+      project_on_free(v.data());
     else
       {
         v = field();
         problem.fill_with_noise(v.data());
-        precondition_open(v);
+        precondition_free(v);
       }
     std::vector<double> k_v = field(), d = field(), k_d = field(); // K v, d, K d
     problem.apply(v.data(), k_v.data());
@@ -110,7 +102,7 @@ namespace strait
           gradient[i] =
             ((1 - quotient) * k_v[i] + curvature[i] * v[i] - quotient * uniform) /
             vv.denominator;
-        descend_direction(problem, gradient, precondition_open, d, fall);
+        descend_direction(problem, gradient, precondition_free, d, fall);
         problem.apply(d.data(), k_d.data());
         const Products dd = products(d, k_d, d), vd = products(v, k_v, d);
         const double   s = lowest_on_line(vv, vd, dd);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
-#include <strait/contact/half_space_problem.h>
 #include <strait/contact/wall.h>
+#include <strait/contact/zoomed_problem.h>
+#include <strait/spectral/fill_windows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,12 +34,12 @@ namespace strait
       std::copy(undeformed.begin(), undeformed.end(), heights.begin());
     else
       {
-        FourierTransform(heights.layout_pointer())
-          .multiply(fluid_pressure->data(),
-                    heights.data(),
-                    wave_compliance<double>(heights.grid(), modulus));
+        std::copy_n(fluid_pressure->begin(), heights.size(), heights.begin());
+        ZoomedOperator<double>(heights.layout_pointer(), modulus)
+          .apply_to_continuous(heights.data());
         for (std::size_t i = 0; i < heights.size(); ++i)
           heights[i] = undeformed[i] - heights[i];
+        copy_to_covered(heights);
         fluid_load = mean(*fluid_pressure);
       }
     if (indentation != nullptr)

@@ -218,14 +218,6 @@ namespace strait
     return work;
   }
 
-  void
-  ZoomedProblem::displace(const SlabField &pressure, double *displacement)
-  {
-    std::copy(pressure.begin(), pressure.end(), displacement);
-    exact.apply_to_continuous(displacement);
-    exact.release();
-  }
-
   double
   ZoomedProblem::respond(const float *step, float *response)
   {

@@ -2,6 +2,8 @@
 #include <strait/base/exceptions.h>
 #include <strait/flow/seal_mesh.h>
 
+#include <deal.II/grid/manifold_lib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -143,19 +145,13 @@ namespace strait
                const Point<2>         &to,
                const double            longest)
     {
-      const Tensor<1, 2> first = from - circle.centre, last = to - circle.centre;
-      const double       angle  = std::atan2(cross(first, last), first * last);
-      const double       length = std::abs(angle) * circle.radius;
-      const int          n = std::max(1, static_cast<int>(std::ceil(length / longest)));
-      std::vector<Point<2>> chain = {from};
+      const double r      = circle.radius;
+      const double length = 2 * r * std::asin(std::min(1., from.distance(to) / (2 * r)));
+      const int    n      = std::max(1, static_cast<int>(std::ceil(length / longest)));
+      const dealii::SphericalManifold<2> arc(circle.centre);
+      std::vector<Point<2>>              chain = {from};
       for (int k = 1; k < n; ++k)
-        {
-          const double t = angle * k / n;
-          chain.push_back(
-            circle.centre +
-            Tensor<1, 2>({std::cos(t) * first[0] - std::sin(t) * first[1],
-                          std::sin(t) * first[0] + std::cos(t) * first[1]}));
-        }
+        chain.push_back(arc.get_intermediate_point(from, to, double(k) / n));
       return chain;
     }
   } // namespace

@@ -54,40 +54,19 @@ namespace strait
       return near.value + (near.value - far.value) * root / (1. - root);
     }
 
-    /** The exponent of a power law that vanishes at @p zero. */
-    double
-    exponent_of(const Point &near, const Point &far, const double zero)
-    {
-      return std::log(far.openness / near.openness) /
-             std::log((zero - far.value) / (zero - near.value));
-    }
-
-    /** Where a power law through the last points of one side puts the transition. */
+    /** Where a power law through the last two points of one side puts the transition. */
     std::optional<double>
     extrapolate(const std::vector<Point> &side)
     {
-      const auto is_nearer = [](const Point &near, const Point &far) {
-        return std::abs(near.openness) < std::abs(far.openness);
-      };
-      if (side.size() < 2 || !is_nearer(side.back(), side[side.size() - 2]))
+      if (side.size() < 2)
         return {};
       const Point &first = side.back(), &second = side[side.size() - 2];
+      if (!(std::abs(first.openness) < std::abs(second.openness)))
+        return {};
       // Likewise of the contact pressure where a throat is closed.
       constexpr double power_of_pressure = .63;
       const double     usual = first.openness > 0 ? power_of_gap : power_of_pressure;
-      double           zero  = zero_of(first, second, usual);
-      if (side.size() > 2 && is_nearer(second, side[side.size() - 3]) &&
-          second.openness != 0.)
-        {
-          // Find the exponent with which the law passes through a third point, too.
-          for (int k = 0; k < iteration_limit; ++k)
-            zero = zero_of(first,
-                           second,
-                           std::clamp(exponent_of(second, side[side.size() - 3], zero),
-                                      .5 * usual,
-                                      2. * usual));
-        }
-      return zero;
+      return zero_of(first, second, usual);
     }
 
     /** The value to ask next as long as all answers are on one side. */

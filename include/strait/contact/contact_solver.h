@@ -8,6 +8,8 @@
 #include <strait/contact/wall.h>
 #include <strait/contact/zoomed_problem.h>
 
+#include <optional>
+
 namespace strait
 {
   /**
@@ -64,8 +66,7 @@ namespace strait
     HalfSpaceProblem        problem;
 
     // The problem with the windows of the last state, if it had any.
-    SlabField                      zoomed_heights;
-    SlabField                      zoomed_at_rest; // empty before a fluid displaces them
+    std::optional<Wall>            zoomed_wall;
     std::unique_ptr<ZoomedProblem> zoomed;
   };
 } // namespace strait

@@ -23,28 +23,6 @@ namespace strait
     AdhesiveState adhesion; // without smallest_curvature and softest_direction
   };
 
-  /** Set @p values to 0 where is_free(i) is false; if @p has_no_mean, subtract their mean
-   *  where it is true. Collective. */
-  template <class IsFree>
-  void
-  project(const ContactProblem &problem,
-          const IsFree         &is_free,
-          const bool            has_no_mean,
-          double               *values)
-  {
-    for (std::size_t i = 0, n = problem.size; i < n; ++i)
-      values[i] = is_free(i) ? values[i] : 0.;
-    if (!has_no_mean)
-      return;
-    const auto [sum, area] = weighted_sums<2>(problem, [&](const auto i, auto &sums) {
-      sums[0] += values[i];
-      sums[1] += is_free(i) ? 1. : 0.;
-    });
-    const double mean      = area > 0 ? sum / area : 0.;
-    for (std::size_t i = 0, n = problem.size; i < n; ++i)
-      values[i] -= is_free(i) ? mean : 0.;
-  }
-
   /** Relative rise of the energy that rounding may cause in a downhill step. Half of it
    *  may reject such steps near the end, double of it admits steps that gain nothing. */
   constexpr double energy_noise = 3e-13;
@@ -94,7 +72,7 @@ namespace strait
      * since. @p v is a start on entry, replaced by noise if it is empty on all ranks, and
      * the eigenvector found on return. Needs five fields, @p v included. Collective.
      */
-    double smallest_curvature(std::vector<double> &v) const;
+    double smallest_curvature(std::vector<double> &v);
 
   protected:
     /** Discard what was learned from an earlier solve(). */

@@ -94,10 +94,6 @@ namespace strait
     double respond(const float *step, float *response) override;
     void   precondition(float *values, const std::uint8_t *marks) override;
 
-    /** Compute the @p displacement by a fluid of the pressure @p pressure, meaningless at
-     *  points that windows cover. Collective. */
-    void displace(const SlabField &pressure, double *displacement);
-
     float *
     scratch() override
     {

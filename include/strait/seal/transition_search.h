@@ -100,12 +100,10 @@ namespace strait
    * Without hysteresis, the openness v falls with the value and changes its sign at the
    * transition. On the open side it is the gap of a constriction, which vanishes as
    * (1 − L/L_c)^(6/5) with the load L; on the sealed side it is a contact pressure, which
-   * was found to grow as (L/L_c − 1)^0.63. As long as all answers are on one side, a
-   * power law through two of them predicts the transition; a third one gives its
-   * exponent, which is 1 within a grid spacing of closing. Once the transition is
-   * enclosed, the root of v^(5/6) is sought by the method of Alefeld, Potra and Shi (ACM
-   * Trans. Math. Softw. 21, 1995). Every answer serves later searches at other levels of
-   * the openness.
+   * was found to grow as (L/L_c − 1)^0.63. As long as all answers are on one side, such a
+   * law through two of them predicts the transition. Once it is enclosed, the root of
+   * v^(5/6) is sought by the method of Alefeld, Potra and Shi (ACM Trans. Math. Softw.
+   * 21, 1995). Every answer serves later searches at other levels of the openness.
    *
    * With hysteresis, steps matter: a large one may lose a state that a small one keeps.
    * Then the transition is where small steps along the path lose the state.
