@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace strait
 {
@@ -135,14 +136,25 @@ namespace strait
     dofs.distribute_dofs(fe);
     AffineConstraints<double> constraints = mesh.continuity(dofs);
     // The vertices of the mesh keep their values. A hanging vertex is the new node of the
-    // coarser edge and follows that.
+    // coarser edge and follows that, or the node follows the vertex, as may be the case
+    // across the seam of a periodic mesh on several ranks.
     std::vector<types::global_dof_index> local(fe.n_dofs_per_cell());
+    std::set<types::global_dof_index>    followed;
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          cell->get_dof_indices(local);
+          for (unsigned int node = n_vertices; node < n_rim; ++node)
+            if (const auto *line = constraints.get_constraint_entries(local[node]);
+                line != nullptr && line->size() == 1)
+              followed.insert(line->front().first);
+        }
     for (const auto &cell : dofs.active_cell_iterators())
       if (!cell->is_artificial())
         {
           cell->get_dof_indices(local);
           for (unsigned int v = 0; v < n_vertices; ++v)
-            if (!constraints.is_constrained(local[v]))
+            if (!constraints.is_constrained(local[v]) && followed.count(local[v]) == 0)
               constraints.add_line(local[v]);
         }
     constraints.close();

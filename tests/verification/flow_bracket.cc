@@ -20,12 +20,21 @@ namespace strait
              .3 * std::cos(2 * pi * y) * std::cos(4 * pi * (x + y));
     }
 
-    /** A gap with contact on 64 × 64 points, and both problems solved on a mesh of cells
-     *  of 4 spacings, refined twice more in x < 0.6 around the periodic boundary. */
+    /** A gap with contact on 64 × 64 points, moved by a @p shift along y, and both
+     * problems solved on a mesh of cells of 4 spacings, refined twice more in x < 0.6
+     * from
+     *  @p first to @p last along y, likewise moved. */
     struct Solved
     {
-      explicit Solved(const FluidParameters &fluid)
-        : given(sample(channels, 64, 64), fluid)
+      Solved(const FluidParameters &fluid,
+             const double           first,
+             const double           last,
+             const double           shift = 0.)
+        : given(sample([shift](const double x,
+                               const double y) { return channels(x, y - shift); },
+                       64,
+                       64),
+                fluid)
         , mesh(given.field, fluid.direction)
         , pressure(mesh, given.field.moment_set(), GapField::Coefficient::conductivity)
         , stream(mesh, given.field.moment_set(), GapField::Coefficient::resistivity)
@@ -34,9 +43,12 @@ namespace strait
         for (int round = 0; round < 2; ++round)
           {
             for (const auto &cell : mesh.triangulation().active_cell_iterators())
-              if (cell->is_locally_owned() && cell->center()[0] < .6 &&
-                  (cell->center()[1] < .3 || cell->center()[1] > .9))
-                cell->set_refine_flag();
+              if (cell->is_locally_owned() && cell->center()[0] < .6)
+                {
+                  const double y = cell->center()[1] - shift - first;
+                  if (y - std::floor(y) < last - first)
+                    cell->set_refine_flag();
+                }
             mesh.triangulation().execute_coarsening_and_refinement();
           }
         solve();
@@ -63,7 +75,7 @@ namespace strait
     TEST(FlowBracket, SharesSumToTheWidthAndCorrectionConformsParallel)
     {
       const FluidParameters  fluid = plain_fluid();
-      Solved                 solved(fluid);
+      Solved                 solved(fluid, .9, 1.3);
       const Bracket          plain = plain_bracket(solved.pressure, solved.stream);
       HierarchicalCorrection correction(solved.mesh);
       const double upper = correction.relax(solved.pressure, solved.given.field);
@@ -82,6 +94,24 @@ namespace strait
       EXPECT_GT(upper, refined.upper);
       EXPECT_LT(lower, refined.lower);
       EXPECT_GT(refined.upper, refined.lower);
+    }
+
+    // Cells of different size meet at the periodic boundary, or only within the box.
+    TEST(FlowBracket, CorrectionIsTheSameWhereverTheBoxEndsParallel)
+    {
+      const FluidParameters fluid  = plain_fluid();
+      const auto            bounds = [&fluid](const double first, const double shift) {
+        Solved                       solved(fluid, first, first + .25, shift);
+        const HierarchicalCorrection correction(solved.mesh);
+        return std::make_pair(correction.relax(solved.pressure, solved.given.field),
+                              1. / correction.relax(solved.stream, solved.given.field));
+      };
+      for (const double first : {.0, .75})
+        {
+          const auto at_the_end = bounds(first, 0.), inside = bounds(first, .5);
+          EXPECT_NEAR(at_the_end.first / inside.first, 1., 1e-9);
+          EXPECT_NEAR(at_the_end.second / inside.second, 1., 1e-9);
+        }
     }
 
     SlabField
