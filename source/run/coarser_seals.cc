@@ -86,14 +86,6 @@ namespace strait
   {
     if (!scene.fluid.enabled)
       return;
-    const auto warn_of_unknown = [&](const char *why) {
-      if (n_compared_grids(scene) > 0)
-        log.warn(std::string("leak_rate_error is nan, as that of the contact grid is "
-                             "not known: ") +
-                 why);
-    };
-    if (!can_be_coarsened(heights.grid()))
-      warn_of_unknown("Contact/Grid points must be even and 64 or more to be halved");
     const int n_wanted = n_wanted_grids(scene);
     // Leave out the last level of windows, to compare their points as well.
     ContactParameters coarser = contact;
@@ -112,9 +104,10 @@ namespace strait
       }
     catch (const InputError &)
       {
-        if (size() == 0)
-          warn_of_unknown(
-            "the range of the adhesion is too short for every second point");
+        if (size() == 0 && n_compared_grids(scene) > 0)
+          log.warn(
+            "leak_rate_error is nan, as that of the contact grid is not known: the "
+            "range of the adhesion is too short for every second point");
       }
   }
 

@@ -137,7 +137,9 @@ namespace strait
             std::string("The threshold was not found: the contact ") +
             (known.sealed.empty() ? "still leaks at " : "is still sealed at ") +
             name(value) +
-            "; switch the search off to run Load programme/Pressures alone.");
+            (first.value == first.end
+               ? "; begin Load programme/Pressures with a load under which it seals."
+               : "; switch the search off to run Load programme/Pressures alone."));
         ask_at(value);
       }
     const auto openness = [&](const double value) {

@@ -262,10 +262,25 @@ namespace strait
           return result;
         };
       };
-      EXPECT_THROW(TransitionSearch(always(1.), 1e-4).enclose({1.}, 0.),
-                   ComputationError);
-      EXPECT_THROW(TransitionSearch(always(-1.), 1e-4).enclose({1.}, 0.),
-                   ComputationError);
+      const auto expect = [&](const double       openness,
+                              const SearchStart &first,
+                              const std::string &sentence) {
+        try
+          {
+            TransitionSearch(always(openness), 1e-4).enclose(first, 0.);
+            ADD_FAILURE() << sentence;
+          }
+        catch (const ComputationError &error)
+          {
+            EXPECT_NE(std::string(error.what()).find(sentence), std::string::npos)
+              << error.what();
+          }
+      };
+      expect(1., {1.}, "still leaks at");
+      expect(-1., {1.}, "is still sealed at");
+      // Where a search may not go beyond its first value, another one helps.
+      expect(1., {1., .2, 1.}, "still leaks at 1; begin Load programme/Pressures with a");
+      expect(1., {1., .2, 2.}, "; switch the search off");
     }
   } // namespace
 } // namespace strait
