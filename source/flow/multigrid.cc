@@ -132,14 +132,17 @@ namespace strait
       void
       set_up_solver()
       {
-        constexpr int symmetric_gauss_seidel = 6;
+        // Where rows of one rank are coupled strongly to those of another, the smoother
+        // that ignores this coupling (6) may make the preconditioner indefinite. This one
+        // adds the magnitude of such entries to the diagonal; on one rank both agree.
+        constexpr int l1_symmetric_gauss_seidel = 8;
         check(HYPRE_BoomerAMGCreate(&solver), "creating BoomerAMG");
         HYPRE_BoomerAMGSetTol(solver, 0.);
         HYPRE_BoomerAMGSetMaxIter(solver, 1);
         // Coarsening, interpolation and threshold are the defaults of hypre 2.26: HMIS,
         // "extended+i" with 4 weights, 0.25. A larger threshold or fewer weights make
         // coarse grids cheaper and worse.
-        HYPRE_BoomerAMGSetRelaxType(solver, symmetric_gauss_seidel);
+        HYPRE_BoomerAMGSetRelaxType(solver, l1_symmetric_gauss_seidel);
         check(HYPRE_BoomerAMGSetup(solver, parcsr, handle(right), handle(left)),
               "setting up BoomerAMG");
       }
