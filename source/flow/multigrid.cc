@@ -134,7 +134,7 @@ namespace strait
       {
         // Where rows of one rank are coupled strongly to those of another, the smoother
         // that ignores this coupling (6) may make the preconditioner indefinite. This one
-        // adds the magnitude of such entries to the diagonal; on one rank both agree.
+        // adds the magnitude of such entries to the diagonal; on one rank there are none.
         constexpr int l1_symmetric_gauss_seidel = 8;
         check(HYPRE_BoomerAMGCreate(&solver), "creating BoomerAMG");
         HYPRE_BoomerAMGSetTol(solver, 0.);
