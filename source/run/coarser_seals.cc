@@ -76,6 +76,15 @@ namespace strait
     return scene.contact.zoom.enabled || scene.depends_on_path() ? 1 : 2;
   }
 
+  void
+  warn_of_unknown_grid_error(const Scene &scene, const PeriodicGrid &grid, Log &log)
+  {
+    if (scene.fluid.enabled && n_compared_grids(scene) > 0 && !can_be_coarsened(grid))
+      log.warn(
+        "leak_rate_error is nan, as that of the contact grid is not known: "
+        "Contact/Grid points must be even and 64 or more to be halved");
+  }
+
   CoarserSeals::CoarserSeals(const Scene             &scene_,
                              const ContactParameters &contact,
                              const SlabField         &heights,
@@ -86,6 +95,7 @@ namespace strait
   {
     if (!scene.fluid.enabled)
       return;
+    warn_of_unknown_grid_error(scene, heights.grid(), log);
     const int n_wanted = n_wanted_grids(scene);
     // Leave out the last level of windows, to compare their points as well.
     ContactParameters coarser = contact;

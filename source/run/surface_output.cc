@@ -3,7 +3,6 @@
 #include <strait/base/exceptions.h>
 #include <strait/base/rounding.h>
 #include <strait/base/text.h>
-#include <strait/contact/grid_transfer.h>
 #include <strait/run/field_output.h>
 #include <strait/run/guards.h>
 #include <strait/run/load_sweep.h>
@@ -109,17 +108,6 @@ namespace strait
           " cells, which costs time and memory: choose numbers of grid points that "
           "can be halved several times");
     }
-
-    /** Warn if the error of the contact grid is wanted, and it has no coarser grid. */
-    void
-    warn_of_unknown_grid_error(const Scene &scene, Log &log)
-    {
-      if (scene.fluid.enabled && n_compared_grids(scene) > 0 &&
-          !can_be_coarsened(grid_of(scene)))
-        log.warn(
-          "leak_rate_error is nan, as that of the contact grid is not known: "
-          "Contact/Grid points must be even and 64 or more to be halved");
-    }
   } // namespace
 
   SlabField
@@ -133,7 +121,7 @@ namespace strait
     for (const std::string &warning : check_resolution(scene.surface, grid))
       log.warn(warning);
     warn_of_large_coarsest_mesh(scene, log);
-    warn_of_unknown_grid_error(scene, log);
+    warn_of_unknown_grid_error(scene, grid, log);
     if (!scene.fluid.gas.empty())
       log.line(format("gas: %s, viscosity %.6g",
                       scene.fluid.gas.c_str(),

@@ -81,6 +81,9 @@ namespace strait
   /** Return the number of coarser grids with which each step of @p scene is compared. */
   int n_compared_grids(const Scene &scene);
 
+  /** Warn if @p scene wants the error of a contact @p grid that has no coarser one. */
+  void warn_of_unknown_grid_error(const Scene &scene, const PeriodicGrid &grid, Log &log);
+
   /** The seal of a scene on every second point of its contact grid, on every fourth, and
    *  so on. At low cost these coarser grids give a first estimate of the critical load of
    *  the grid itself, and tell how a leak rate changes with the grid. If the state
