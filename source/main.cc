@@ -60,21 +60,24 @@ namespace
       run_on_root(MPI_COMM_WORLD, [&]() { check_seal_profile(scene); });
     Log log(MPI_COMM_WORLD, command.quiet);
     catch_signals();
+    const auto check_folder = [&]() {
+      if (!command.force && !command.resume)
+        refuse_to_replace_results(scene, MPI_COMM_WORLD);
+    };
     if (command.dry_run)
-      describe(scene, log);
-    if (!command.force && !command.resume)
-      try
-        {
-          refuse_to_replace_results(scene, MPI_COMM_WORLD);
-        }
-      catch (const InputError &error)
-        {
-          if (!command.dry_run)
-            throw;
-          log.warn(std::string("a run would end here: ") + error.what());
-        }
-    if (command.dry_run)
-      return 0;
+      {
+        describe(scene, log);
+        try
+          {
+            check_folder();
+          }
+        catch (const InputError &error)
+          {
+            log.warn(std::string("a run would end here: ") + error.what());
+          }
+        return 0;
+      }
+    check_folder();
     if (!run_all_realisations(scene, log, command.resume))
       throw ComputationError(
         "Some steps, or states that a critical load or blow-out pressure rests on, did "

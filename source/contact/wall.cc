@@ -34,6 +34,7 @@ namespace strait
       std::copy(undeformed.begin(), undeformed.end(), heights.begin());
     else
       {
+        // The pressure may have windows that the heights have not.
         std::copy_n(fluid_pressure->begin(), heights.size(), heights.begin());
         ZoomedOperator<double>(heights.layout_pointer(), modulus)
           .apply_to_continuous(heights.data());

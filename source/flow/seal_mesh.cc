@@ -105,9 +105,8 @@ namespace strait
       double
       turn(const unsigned int a, const unsigned int b, const unsigned int c) const
       {
-        const auto ab = mesh.points[b] - mesh.points[a];
-        const auto ac = mesh.points[c] - mesh.points[a];
-        return ab[0] * ac[1] - ab[1] * ac[0];
+        return (mesh.points[b] - mesh.points[a]) *
+               dealii::cross_product_2d(mesh.points[c] - mesh.points[a]);
       }
 
       /** Whether @p a and @p b lie on different sides of the line through @p edge, by

@@ -17,12 +17,6 @@ namespace strait
     using dealii::Tensor;
     using Loop = std::vector<SealMesh::Edge>;
 
-    double
-    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
-
     /** Return the closed boundaries, the edges of each in their sequence. */
     std::vector<Loop>
     find_loops(std::map<unsigned int, SealMesh::Edge> left)
@@ -55,7 +49,7 @@ namespace strait
     {
       double area = 0.;
       for (const SealMesh::Edge &e : loop)
-        area += .5 * cross(mesh.points[e.from], mesh.points[e.to]);
+        area += .5 * mesh.points[e.from] * dealii::cross_product_2d(mesh.points[e.to]);
       return area;
     }
 
@@ -197,9 +191,11 @@ namespace strait
     };
     const Point<2>    &a  = points.front();
     const Tensor<1, 2> ab = farthest([&](const auto &p) { return a.distance(p); }) - a;
-    const Tensor<1, 2> ac =
-      farthest([&](const auto &p) { return std::abs(cross(ab, p - a)); }) - a;
-    const double area = cross(ab, ac);
+    const Tensor<1, 2> ac = farthest([&](const auto &p) {
+                              return std::abs(ab * dealii::cross_product_2d(p - a));
+                            }) -
+                            a;
+    const double area = ab * dealii::cross_product_2d(ac);
     if (std::abs(area) <= precision_of_meshes * ab.norm_square())
       return {};
     const double       bb = ab.norm_square(), cc = ac.norm_square();

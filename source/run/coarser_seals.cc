@@ -64,6 +64,16 @@ namespace strait
       return std::max(n_compared_grids(scene),
                       may_have_creases && searches_from_coarser_grids(scene) ? 1 : 0);
     }
+
+    /** Warn if @p scene wants the error of the contact grid, and it is not known. */
+    void
+    warn_of_unknown_error(const Scene &scene, const char *why, Log &log)
+    {
+      if (n_compared_grids(scene) > 0)
+        log.warn(std::string("leak_rate_error is nan, as that of the contact grid is "
+                             "not known: ") +
+                 why);
+    }
   } // namespace
 
   int
@@ -79,10 +89,9 @@ namespace strait
   void
   warn_of_unknown_grid_error(const Scene &scene, const PeriodicGrid &grid, Log &log)
   {
-    if (scene.fluid.enabled && n_compared_grids(scene) > 0 && !can_be_coarsened(grid))
-      log.warn(
-        "leak_rate_error is nan, as that of the contact grid is not known: "
-        "Contact/Grid points must be even and 64 or more to be halved");
+    if (scene.fluid.enabled && !can_be_coarsened(grid))
+      warn_of_unknown_error(
+        scene, "Contact/Grid points must be even and 64 or more to be halved", log);
   }
 
   CoarserSeals::CoarserSeals(const Scene             &scene_,
@@ -114,10 +123,9 @@ namespace strait
       }
     catch (const InputError &)
       {
-        if (size() == 0 && n_compared_grids(scene) > 0)
-          log.warn(
-            "leak_rate_error is nan, as that of the contact grid is not known: the "
-            "range of the adhesion is too short for every second point");
+        if (size() == 0)
+          warn_of_unknown_error(
+            scene, "the range of the adhesion is too short for every second point", log);
       }
   }
 

@@ -74,6 +74,15 @@ namespace strait
       return values;
     }
 
+    /** Read the scene in @p file, with the defaults of parameters that an earlier version
+     *  did not have. */
+    Scene
+    scene_in(const fs::path &file)
+    {
+      return make_scene(
+        lex_scene(text_of(file.string()), file.string(), file.parent_path().string()));
+    }
+
     /** Return "which had NAME = VALUE …" of the scene in @p file, or why it cannot be
      *  read; empty if it is @p scene. */
     std::string
@@ -81,12 +90,8 @@ namespace strait
     {
       try
         {
-          // Fill in the defaults of parameters that an earlier version did not have.
-          const Scene       then = make_scene(lex_scene(text_of(file.string()),
-                                                  file.string(),
-                                                  file.parent_path().string()));
           const std::string difference =
-            difference_of_scenes(then.resolved, scene.resolved);
+            difference_of_scenes(scene_in(file).resolved, scene.resolved);
           return difference.empty() ? "" : "which had " + difference;
         }
       catch (const InputError &)
@@ -100,11 +105,9 @@ namespace strait
     bool
     is_written_scene(const fs::path &file)
     {
-      const std::string text = text_of(file.string());
       try
         {
-          const std::string folder = file.parent_path().string();
-          return make_scene(lex_scene(text, file.string(), folder)).resolved == text;
+          return scene_in(file).resolved == text_of(file.string());
         }
       catch (const InputError &)
         {

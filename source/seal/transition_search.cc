@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/exceptions.h>
-#include <strait/base/iteration.h>
 #include <strait/seal/transition_search.h>
 
 #include <boost/math/tools/toms748_solve.hpp>

@@ -21,9 +21,8 @@ namespace strait
     }
 
     /** A gap with contact on 64 × 64 points, moved by a @p shift along y, and both
-     * problems solved on a mesh of cells of 4 spacings, refined twice more in x < 0.6
-     * from
-     *  @p first to @p last along y, likewise moved. */
+     *  problems solved on a mesh of cells of 4 spacings, refined twice more in x < 0.6
+     *  from @p first to @p last along y, likewise moved. */
     struct Solved
     {
       Solved(const FluidParameters &fluid,
