@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
+#include <strait/base/rounding.h>
 #include <strait/spectral/fourier_transform.h>
 #include <strait/surface/statistics.h>
 
@@ -126,15 +127,15 @@ namespace strait
     const auto          bin_of          = [&](const double q) {
       return static_cast<int>(std::floor(bins_per_octave * std::log2(q / q_least) + 0.5));
     };
-    const int           n_bins = bin_of(q_most) + 1;
+    const int           n_bins = bin_of(q_most) + 1; // the last one ends at q_most
     std::vector<double> sums(2 * static_cast<std::size_t>(std::max(n_bins, 1)), 0.);
 
     const auto add =
       [&](const int kx, const int ky, const Mode &mode, const double weight) {
         const double q = 2 * M_PI * std::hypot(kx / grid.lx, ky / grid.ly);
-        if (q == 0. || q > q_most)
+        if (q == 0. || q > (1 + rounding) * q_most)
           return;
-        const int bin = bin_of(q);
+        const int bin = bin_of(std::min(q, q_most));
         sums[2 * bin] += weight;
         sums[2 * bin + 1] += weight * std::norm(mode);
       };
@@ -142,13 +143,15 @@ namespace strait
     sum_in_place(heights.layout().communicator(), sums);
 
     std::vector<SpectrumBin> spectrum;
-    const double             area = grid.lx * grid.ly / (4 * M_PI * M_PI);
+    const double             area  = grid.lx * grid.ly / (4 * M_PI * M_PI);
+    const auto               limit = [&](const double bin) {
+      return std::min(q_least * std::exp2(bin / bins_per_octave), q_most);
+    };
     for (int bin = 0; bin < n_bins; ++bin)
       if (sums[2 * bin] > 0)
-        spectrum.push_back(
-          {q_least * std::exp2(static_cast<double>(bin) / bins_per_octave),
-           sums[2 * bin + 1] / sums[2 * bin] * area,
-           sums[2 * bin]});
+        spectrum.push_back({std::sqrt(limit(bin - .5) * limit(bin + .5)),
+                            sums[2 * bin + 1] / sums[2 * bin] * area,
+                            sums[2 * bin]});
     return spectrum;
   }
 

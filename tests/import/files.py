@@ -103,6 +103,11 @@ COMPLETE = {
     "points_commas.csv": "X (um);Y (um);Z (um)\n" + points(";", ","),
     "points_shuffled.txt": "x [um] y [um] z [um]\n".replace(" [", "[") + "\n".join(
         sorted(points(" ").splitlines(), key=lambda line: line[::-1])) + "\n",
+    "points_with_sides.txt": "# x size: 24 um\n# y size: 10 um\n# xy unit: um\n# z unit: um\n"
+    + points(" "),
+    "points_below_gwyddion.txt": gwyddion_header("Channel", "Width", "Height", "Value units")
+    + points(" "),
+    "points_named_below_sides.csv": SIDES + "X (um),Y (um),Z (um)\n" + points(","),
     "points_y_first.csv": "Y [um],X [um],Z [um]\n" + points_in_order(",", "yxz"),
     "points_z_first.csv": "Z [um],X [um],Y [um]\n" + points_in_order(",", "zxy"),
     "points_y_first.txt": "# Y (um) X (um) Z (um)\n" + points_in_order(" ", "yxz"),
@@ -159,6 +164,14 @@ AMBIGUOUS = {
                 "does not state its size", ["--size", "24, 10 um"]),
     "thousands.txt": ("\n".join(" ".join(f"{int(10 * abs(value)) + 1},500" for value in row)
                                 for row in MICRONS), "--decimal comma or --decimal point", None),
+    "sides_without_unit.txt": ("Width: 24\nHeight: 10\nUnit: um\n" + rows(" "),
+                               "does not state its size", ["--xy-unit", "um"]),
+    "amperes.txt": (TWICE.replace("units: µm", "units: A") + rows(" "), "'A', which is no length",
+                    ["--unit", "um"]),
+    "scale_in_one_word.txt": (SIDES + "Unit: um\nZScale=2\n" + rows(" "), "'zscale' as '2' .* --unit",
+                              ["--unit", "um"]),
+    "scale_of_counts.txt": (SIDES + "Height scale [nm/LSB]: 1\n" + rows(" "),
+                            "'height scale .* as '1' .* --unit", ["--unit", "um"]),
     "volts.txt": (TWICE.replace("units: µm", "units: V") + rows(" "), "'V', which is no length",
                   ["--unit", "um"]),
     "axis_rounded.txt": (TWICE + rounded_axes(False), "--as axes.*--as matrix", ["--as", "axes"]),
@@ -216,6 +229,8 @@ REFUSED = {
     "underscore.txt": (TWICE + rows(" ").replace(".", "_.", 1), "is no number"),
     "length.txt": (TWICE.replace("24.00 µm", "24 furlongs") + rows(" "), "24 furlongs"),
     "promise.txt": ("h=11 w=12\npixel size=1 um\nUnit: um\n" + rows(" "), "promises 11 rows"),
+    "columns.csv": ("X (um),a,b,c\n" + "\n".join(f"{x},{x * x % 7},{x % 3},{x % 2}"
+                                                  for x in range(20)), "--as matrix"),
     "scattered.txt": ("\n".join(f"{x * x % 17} {x * x % 13}.5 {x}" for x in range(1, 40)),
                       "no x, y, z of points"),
 }

@@ -205,6 +205,25 @@ class Text(Case):
         expected[0, 0] = np.nan
         np.testing.assert_allclose(heights, expected)
 
+    def test_matrix_of_a_few_columns(self):
+        """What is said of the file is no row of names, and a matrix below sides may be narrow."""
+        path = self.write("map.txt", "x size: 10 um\ny size: 8 um\nUnit: um\n" + "\n".join(
+            f"{x % 3} {x % 7} {x % 5}" for x in range(1, 9)))
+        self.assertEqual(self.read(path)[0].shape, (8, 3))
+        path = self.write("map.txt", "z unit: um\nx size: 10 um\n" + "\n".join(
+            f"{x % 3} {x % 7} {x % 5} 2" for x in range(1, 9)))
+        self.check_refusal(path, "does not state its size")
+
+    def test_summary_that_nobody_reads(self):
+        path = self.write("map.txt", files.COMPLETE["gwyddion.txt"])
+        read_end, write_end = os.pipe()
+        os.close(read_end)
+        with os.fdopen(write_end, "w") as closed:
+            result = subprocess.run([str(TOOL), path], stdout=closed, stderr=subprocess.PIPE,
+                                    check=False, timeout=60)
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "map.nc")))
+
     def test_absent_point(self):
         lines = files.points(" ").splitlines()
         del lines[files.HOLE[0] * files.NX + files.HOLE[1]]
@@ -239,6 +258,73 @@ class Arrays(Case):
         x[-1] += 60
         files.write_netcdf(path, x, y, files.MICRONS)
         self.check_refusal(path, "coordinates 'x' without equal steps")
+
+    def test_packed_coordinates(self):
+        """Their scale counts, turned or not, and integers do not overflow."""
+        import h5py
+
+        path = os.path.join(self.folder, "map.nc")
+        for scale in (2., -2.):
+            with self.subTest(scale=scale):
+                files.write_netcdf(path, np.arange(files.NX), 1. * np.arange(files.NY),
+                                   files.MICRONS[:, ::-1] if scale < 0 else files.MICRONS)
+                with netcdf_file(path, "a") as file:
+                    file.variables["x"].scale_factor, file.variables["x"].add_offset = scale, 7.
+                self.check_map(path)
+        for kind, start in (("u2", 0), ("i1", -128), ("u1", 0)):
+            step = 20 if kind == "i1" else 1    # rises by more than the largest number
+            with self.subTest(kind=kind), h5py.File(path, "w") as file:
+                file["heights"] = files.MICRONS[::-1] if kind == "u2" else files.MICRONS
+                file["heights"].attrs["unit"] = "um"
+                for axis, n in enumerate(files.MICRONS.shape):
+                    line = start + step * np.arange(n)
+                    turned = kind == "u2" and axis == 0
+                    file["yx"[axis]] = (line[::-1] if turned else line).astype(kind)
+                    file["yx"[axis]].attrs["units"] = f"{(1, 2)[axis] / step} um"
+                    file["yx"[axis]].make_scale("yx"[axis])
+                    file["heights"].dims[axis].attach_scale(file["yx"[axis]])
+            self.check_map(path)
+
+    def test_attributes_of_the_file(self):
+        """They hold for what the data set leaves open; what contradicts itself is refused."""
+        import h5py
+
+        path = os.path.join(self.folder, "map.h5")
+        of_map = {"units": "um", "lateral_units": "um", "dx": 2., "dy": 1.}
+        for of_data, words in ((of_map, ""), ({**of_map, "unit": "nm"}, "two units, 'nm' and 'um'"),
+                               ({**of_map, "scale_factor": np.array([1., 2.])}, "no.* one number"),
+                               ({**of_map, "scale_factor": "1"}, "not one number")):
+            with h5py.File(path, "w") as file:
+                file["height"] = files.MICRONS
+                file["height"].attrs.update(of_data)
+                file.attrs.update({"unit": "mm", "lateral_unit": "nm"})
+            with self.subTest(of_data=of_data):
+                if words:
+                    self.check_refusal(path, words)
+                else:
+                    self.check_map(path)
+
+    def test_labels_of_dimensions(self):
+        import h5py
+
+        path = os.path.join(self.folder, "map.h5")
+        with h5py.File(path, "w") as file:
+            file["height"] = files.MICRONS.T
+            file["height"].attrs.update({"unit": "um", "lx": 24., "ly": 10., "lateral_unit": "um"})
+            file["height"].dims[0].label, file["height"].dims[1].label = "x", "y"
+        self.check_map(path)
+
+    def test_marks_as_text(self):
+        import h5py
+
+        path = os.path.join(self.folder, "map.h5")
+        heights = files.MICRONS.copy()
+        heights[files.HOLE] = -9999.
+        with h5py.File(path, "w") as file:
+            file["height"] = heights
+            file["height"].attrs.update({"unit": "um", "lx": 24., "ly": 10., "lateral_unit": "um",
+                                         "missing_value": "-9999"})
+        self.check_map(path, hole=True)
 
     def test_scales_of_netcdf4(self):
         """Dimensions are known by their names, also without coordinates; each group has its own."""
@@ -573,6 +659,17 @@ class Program(Case):
                                  text=True, capture_output=True, check=False)
         self.assertEqual(refused.returncode, 2)
         self.assertIn("has the attribute scale_factor: type", refused.stderr)
+
+        # Records, whose number stands elsewhere.
+        with netcdf_file(path, "w") as file:
+            file.createDimension("y", None)
+            file.createDimension("x", files.NX)
+            heights = file.createVariable("heights", "f8", ("y", "x"))
+            heights[:], heights.unit = files.MICRONS, "um"
+        refused = subprocess.run([PROGRAM, os.path.join(self.folder, "scene.prm"), "--dry-run"],
+                                 text=True, capture_output=True, check=False)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("has heights in records: type", refused.stderr)
 
     def test_both_readers_find_the_same_marks_and_axes(self):
         """A mark in double precision for heights in single, whose first dimension is X."""

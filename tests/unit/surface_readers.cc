@@ -156,7 +156,9 @@ namespace
            "# Breite: 3\n" + header + "1 2\n3 4\n", // another language
            "h=2 w=2\npixel size=1 um\n1 2\n3 4\n",  // an interferometer's
            header + "x y z\n1 2\n3 4\n",            // names of columns
-           header + "1,2\n3,4\n",                   // another separator
+           header + "# NODATA_value -9999\n1 2\n3 4\n",
+           header + "# z scale = 2\n1 2\n3 4\n",
+           header + "1,2\n3,4\n", // another separator
            header + "1;2\n3;4\n",
            header + "1 2\n3 4,5\n", // decimal commas
            header + "1 2\n3 bad\n",
@@ -200,6 +202,9 @@ namespace
     EXPECT_TRUE(
       mentions(complaint_of_map(header + "1 2\n4 5 6\n"), "3 values in line 4 and 2"));
     EXPECT_TRUE(mentions(complaint_of_map(header + "1 2\n-inf 4\n"), "row 1, column 0"));
+    EXPECT_TRUE(mentions(complaint_of_map(header + "1 2\n3 1e200\n"),
+                         "a value above 1e30 in row 1, column 1"));
+    EXPECT_EQ(read_map(header + "# exported by hand\n1 2\n3 4\n").ny, 2);
     EXPECT_TRUE(mentions(complaint_of_map(header), "holds no numbers"));
     EXPECT_TRUE(mentions(complaint_of_map(""), "is empty"));
   }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "surface_test_tools.h"
 
@@ -79,6 +80,39 @@ namespace
     const auto scattered = fit_self_affine(
       radial_spectrum(heights_of(self_affine(0.8, 0.5, Amplitudes::gaussian))));
     EXPECT_NEAR(scattered->hurst_exponent, 0.8, 0.06);
+  }
+
+  TEST(SelfAffineFit, LastRingEndsWithTheGrid)
+  {
+    for (const int n : {200, 256})
+      {
+        SurfaceParameters parameters        = self_affine(0.8, 0.25, Amplitudes::fixed);
+        parameters.short_cut_off_wavelength = 2. * 2. / n;
+        const auto spectrum                 = radial_spectrum(heights_of(parameters, n));
+        const auto fit                      = fit_self_affine(spectrum);
+        ASSERT_TRUE(fit);
+        const SpectrumBin &last = spectrum.back();
+        EXPECT_NEAR(last.density / fit->plateau * std::pow(last.q / fit->roll_off, 3.6),
+                    1.,
+                    0.03);
+        EXPECT_NEAR(fit->hurst_exponent, 0.8, 0.008);
+        EXPECT_NEAR(fit->q_to / last.q, 1., 1e-12);
+      }
+  }
+
+  TEST(RadialSpectrum, RoundingDoesNotDecideOnTheLastWaves)
+  {
+    std::set<double> modes;
+    for (const double side : {1., 40., 5.1, 2.2})
+      {
+        SurfaceParameters wave;
+        wave.kind         = SurfaceKind::expression;
+        wave.size         = {{side, side}};
+        wave.expression   = "cos(2*pi*x/lx)";
+        const auto layout = make_layout({26, 26, side, side}, MPI_COMM_WORLD);
+        modes.insert(radial_spectrum(make_surface(wave, layout)).back().modes);
+      }
+    EXPECT_EQ(modes.size(), 1);
   }
 
   TEST(SelfAffineFit, WithoutRollOffOrWaves)

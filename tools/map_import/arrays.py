@@ -39,15 +39,34 @@ def _read_attributes(attributes):
 
 
 def _numbers(attribute):
-    """An attribute as an array of numbers, which is empty if it is anything else."""
+    """An attribute as an array of numbers, which may be written as one text; empty if it is anything
+    else."""
     value = np.asarray(attribute).reshape(-1)
-    return value if value.dtype.kind in "iuf" else np.zeros(0)
+    if value.dtype.kind not in "iuf":
+        try:
+            return np.array([float(_plain(attribute))])
+        except (TypeError, ValueError):
+            return np.zeros(0)
+    return value
 
 
 def _first(attributes, *names):
     for name in names:
         if name in attributes and attributes[name] is not None:
             return attributes[name]
+    return None
+
+
+def _unit(levels, *names):
+    """The unit that the first of several sets of attributes states which states any; None if none
+    does. Raises Refused if a set states two."""
+    for attributes in levels:
+        stated = [str(attributes[name]) for name in names if attributes.get(name)]
+        if len({metres_in(unit) or unit for unit in stated}) > 1:
+            raise Refused(f"has attributes that state two units, '{stated[0]}' and '{stated[1]}': "
+                          "remove one of them")
+        if stated:
+            return stated[0]
     return None
 
 
@@ -70,8 +89,10 @@ def _interpret(values, attributes):
     is_missing = abs(result) >= 9.96e36
     for name in ("_FillValue", "missing_value"):
         is_missing |= np.isin(stored, marks(name))
-    scale, offset = attributes.get("scale_factor"), attributes.get("add_offset")
-    result = result * (1. if scale is None else scale) + (offset or 0.)
+    for name in ("scale_factor", "add_offset"):
+        if name in attributes and not isinstance(attributes[name], float):
+            raise Refused(f"has an attribute {name} that is not one number")
+    result = result * attributes.get("scale_factor", 1.) + attributes.get("add_offset", 0.)
     for name, is_outside in (("valid_min", np.less), ("valid_max", np.greater)):
         bound = marks(name)
         if not bound.size and marks("valid_range").size == 2:
@@ -85,37 +106,43 @@ def _interpret(values, attributes):
 
 def _map(name, values, attributes, of_file=None):
     """The channel of an array, by its attributes or else those of its file."""
-    known = {**(of_file or {}), **attributes}
+    levels = attributes, of_file or {}
+    known = {**levels[1], **attributes}
     ny, nx = values.shape
-    unit = _first(known, "unit", "units")
-    lateral = _first(known, "lateral_unit", "lateral_units")
-    lateral = metres_in(str(lateral)) if lateral else None
+    unit = _unit(levels, "unit", "units")
+    lateral = _unit(levels, "lateral_unit", "lateral_units")
+    lateral = metres_in(lateral) if lateral else None
     sides = [_first(known, "lx"), _first(known, "ly")]
     steps = [_first(known, "dx"), _first(known, "dy")]
     disputed = dispute("x", nx, sides[0], steps[0]) or dispute("y", ny, sides[1], steps[1])
     extent = tuple(map(whole_side, (nx, ny), sides, steps))
     extent = extent if all(isinstance(side, float) for side in extent) else None
     size = tuple(side * lateral for side in extent) if extent and lateral else None
-    metres = metres_in(str(unit)) if unit else None
+    metres = metres_in(unit) if unit else None
     return Channel(name, _interpret(values, attributes), size, extent, metres,
-                   "" if metres or not unit else str(unit), _is_true(known.get("periodic")),
+                   "" if metres or not unit else unit, _is_true(known.get("periodic")),
                    disputed=disputed)
 
 
 # NetCDF: contact.engineering's layout.
+
+def _were_written(coordinates):
+    """Whether there are coordinates; they are missing, or all equal, if none were ever written."""
+    return len(coordinates) > 1 and not (
+        np.isnan(coordinates).all() or (coordinates == coordinates[0]).all())
+
 
 def _side(n, coordinate):
     """Lengths of a side and a step, the metres in their unit, and whether the side is periodic."""
     if coordinate is None:
         return None, None, None, False
     values, attributes = coordinate
-    unit = _first(attributes, "unit", "units", "length_unit")
-    metres = metres_in(str(unit)) if unit else None
-    # All coordinates are equal if none were ever written.
-    step = float(abs(values[-1] - values[0])) / (n - 1) if len(values) > 1 else 0.
+    unit = _unit((attributes, {"units": attributes.get("length_unit")}), "unit", "units")
+    metres = metres_in(unit) if unit else None
+    step = abs(values[-1] - values[0]) / (n - 1) if _were_written(values) else None
     length = attributes.get("length")
-    length = whole_side(n, length if isinstance(length, float) else None, step or None)
-    return length, step or None, metres, _is_true(attributes.get("periodic"))
+    length = whole_side(n, length if isinstance(length, float) else None, step)
+    return length, step, metres, _is_true(attributes.get("periodic"))
 
 
 def _against_attributes(channel, steps, units):
@@ -143,11 +170,13 @@ def _netcdf_channel(name, values, dimensions, attributes, coordinates, of_file=N
     attributes = {"_FillValue": _numbers(_UNWRITTEN.get(values.dtype.str[1:], "")), **attributes}
     if dimensions[0].lower() == "x":
         values, dimensions = values.T, dimensions[::-1]
+    coordinates = {dimension: (_interpret(*coordinates[dimension]), coordinates[dimension][1])
+                   for dimension in dimensions
+                   if dimension in coordinates and coordinates[dimension][0].dtype.kind in "iuf"}
     refusal = ""
     for axis, dimension in enumerate(dimensions):
-        along = np.asarray(coordinates[dimension][0], float) if dimension in coordinates else (
-            np.zeros(0))
-        if len(along) > 1 and (along != along[0]).any():
+        along = coordinates[dimension][0] if dimension in coordinates else np.zeros(0)
+        if _were_written(along):
             if not _is_regular(along):
                 refusal = (f"has coordinates '{dimension}' without equal steps, which no map has: "
                            "resample it to a regular grid")
@@ -169,6 +198,14 @@ def _netcdf_channel(name, values, dimensions, attributes, coordinates, of_file=N
     return channel
 
 
+def _attempt(read, name, values, *arguments):
+    """The channel that is read so, or one that cannot be imported; others of the file may be."""
+    try:
+        return read(name, values, *arguments)
+    except Refused as reason:
+        return Channel(name, values, refusal=str(reason))
+
+
 def read_classic_netcdf(path):
     from scipy.io import netcdf_file
 
@@ -181,8 +218,8 @@ def read_classic_netcdf(path):
         for name, variable in file.variables.items():
             if len(variable.shape) == 2 and variable.typecode() != "c":
                 check_extents(*variable.shape, os.path.getsize(path))
-                channels.append(_netcdf_channel(name, np.array(variable[:]), variable.dimensions,
-                                                attributes[name], coordinates))
+                channels.append(_attempt(_netcdf_channel, name, np.array(variable[:]),
+                                         variable.dimensions, attributes[name], coordinates))
     return [found for found in channels if found.name == "heights"] or channels
 
 
@@ -221,15 +258,16 @@ def read_hdf5(path):
             check_extents(*data.shape, n_bytes)
             attributes = {**_unwritten(data), **_attributes(data)}
             # Dimensions of a NetCDF-4 variable; another group may have others of the same names.
-            scales = [scale[0].name if len(scale) else "" for scale in data.dims]
+            scales = [dimension[0].name if len(dimension) else dimension.label
+                      for dimension in data.dims]
             if any(scales):
                 dimensions = [scale.rsplit("/", 1)[-1] for scale in scales]
                 known = {dimension: coordinates[scale[1:]]
                          for dimension, scale in zip(dimensions, scales) if scale[1:] in coordinates}
-                channels.append(_netcdf_channel(name, data[:], dimensions, attributes, known,
-                                                of_file))
+                channels.append(_attempt(_netcdf_channel, name, data[:], dimensions, attributes,
+                                         known, of_file))
             else:
-                channels.append(_map(name, data[:], attributes, of_file))
+                channels.append(_attempt(_map, name, data[:], attributes, of_file))
     return [found for found in channels if found.name == "heights"] or channels
 
 

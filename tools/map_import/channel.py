@@ -50,8 +50,6 @@ def metres_in(unit):
     name = match[2].replace("µ", "u").replace("μ", "u")
     if name.endswith("m") and name[:-1] in _PREFIX:
         return factor * _PREFIX[name[:-1]]
-    if name == "A":
-        return factor * 1e-10
     known = _NAMES.get(name.lower(), _NAMES.get(name.lower().rstrip("s")))
     return known and factor * known
 

@@ -66,6 +66,10 @@ def settle(channel, options):
                      f"{channel.size[1]:.6g} m; --size prevails")
     if unit and channel.metres and abs(unit / channel.metres - 1) > 1e-9:
         notes.append(f"note: the file states a unit of {channel.metres:.6g} m; --unit prevails")
+    if xy_unit and channel.size:
+        notes.append("note: --xy-unit prevails over the unit that the file states"
+                     if channel.extent else
+                     "note: --xy-unit holds for coordinates and for sides without a unit only")
     if xy_unit and channel.extent:
         channel.size = tuple(side * xy_unit for side in channel.extent)
     channel.size, channel.metres = size or channel.size, unit or channel.metres

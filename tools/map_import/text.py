@@ -77,7 +77,10 @@ def _column_names(header, separator, n_columns):
     """The names above the columns, if there is one for each."""
     for line in reversed(header):
         line = line.lstrip("#% ")
-        if separator is None:   # a unit behind a name would be a word of its own
+        if separator is None:
+            if re.search("[:=]", line):   # a statement
+                continue
+            # A unit behind a name would be a word of its own.
             line = re.sub(r"\s+(?=[\[(])", "", line)
         words = [word.strip(" \t,;") for word in line.split(separator)]
         if len(words) == n_columns:
@@ -106,6 +109,8 @@ def _in_order(table, names):
     for x, y in (("x", "y"), ("column", "row"), ("col", "row")):
         for i, words in enumerate(said):
             twins = {word.replace(x, y, 1) for word in words if x in word}
+            if not twins:
+                continue
             for j, others in enumerate(said):
                 if i != j and twins.intersection(others):
                     order = [i, j, *(k for k in range(len(names)) if k not in (i, j))]
@@ -139,7 +144,8 @@ def _as_points(table, header, names, options):
             "says what holds")
         ny, nx = values.shape
         extent = nx * spacing[0], ny * spacing[1]
-        size = None if None in lateral else (extent[0] * lateral[0], extent[1] * lateral[1])
+        size = header.size(nx, ny) if None in lateral else (
+            extent[0] * lateral[0], extent[1] * lateral[1])
         disputed = header.disputed(nx, ny, size)
         if len(maps) > 1:
             name = name or f"column {len(channels) + 3}"
@@ -222,18 +228,22 @@ def _read_block(block, header_lines, options):
     n_rows, n_columns = table.shape
     reading = options.reading
     names = _column_names(header_lines, separator, n_columns)
-    if reading == "points" or (reading is None and n_columns >= 3 and not header.side):
+    # Below the sides of a map, a matrix may have three columns as well.
+    may_be_points = n_columns >= 3 and (header.rows, header.columns) != table.shape and (
+        not header.side or n_columns < n_rows)
+    if reading == "points" or (reading is None and may_be_points):
         channels = _as_points(table, header, names, options)
         if channels:
             return channels
-        if reading == "points" or n_columns == 3:
+        if reading == "points" or (n_columns == 3 and not header.side):
             raise Refused("has three or more numbers a line that are no x, y, z of points on a "
                           "regular grid, each once (if it is a matrix: --as matrix)")
     table = _check_promise(table, header)
     if reading is None and table.shape[1] <= 2:
         _refuse_profile(*table.shape)
-    if reading is None and names[0].lower() in ("index", "x"):
-        raise Refused("names its columns as a profile or a list of points that form no grid")
+    if reading is None and re.sub(r"\s*[\[(].*", "", names[0].lower()) in ("index", "x"):
+        raise Refused("names its columns as a profile or a list of points that form no grid (if it "
+                      "is a matrix: --as matrix)")
     extent = None
     if reading == "axes" or (reading is None and corner is not None and "/" in corner):
         table, extent = _without_axes(table, _edges(block, separator))

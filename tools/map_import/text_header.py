@@ -24,9 +24,10 @@ _SPACING = {"pixel size": "xy", "xy calibration": "xy", "pixel pitch": "xy", "sp
 _VALUE_UNIT = _GWYDDION["value units"] + ["value unit", "height unit", "height units", "z unit",
                                           "z units", "z-unit", "data unit", "unit"]
 _LATERAL_UNIT = ("xy unit", "xy units", "x unit", "y unit", "lateral unit")
-# A key of these words alone, with one of scaling among them, is a factor of the heights.
-_SCALING = set("scale scaling factor conversion multiplier".split())
-_HEIGHTS = set("z height heights value values data of the".split())
+# A key of these words alone, with one of scaling among them, is a factor of the heights; so it is
+# if they are written as one word.
+_SCALING = "scale|scaling|factor|conversion|multiplier"
+_OF_HEIGHTS = re.compile(rf"(?:{_SCALING}|z|heights?|values?|data|of|the|[\s_-])+")
 _COLUMNS = ("x-pixels", "x pixels", "columns")
 _ROWS = ("y-pixels", "y pixels", "rows")
 _KNOWN = {*_NAME, *_WIDTH, *_HEIGHT, *_SPACING, *_VALUE_UNIT, *_LATERAL_UNIT, *_COLUMNS, *_ROWS,
@@ -62,9 +63,10 @@ def _words(key):
 
 def _scales_heights(key, value, unit):
     """Whether a statement is a factor of the heights, other than 1."""
-    words = _words(key)
-    return bool(words & _SCALING and words <= _SCALING | _HEIGHTS
-                and _number(value.lstrip("+-")) and (unit or _number(value) != 1))
+    name = re.sub(r"\s*[\[(].*", "", key)   # without a unit
+    return bool(_OF_HEIGHTS.fullmatch(name) and re.search(_SCALING, name)
+                and _number(value.lstrip("+-"))
+                and (unit or name != key or _number(value) != 1))
 
 
 def _may_stand_for(key, meaning):
@@ -155,6 +157,8 @@ class TextHeader:
                           "says which")
         number = _number(value, may_be_thousands(value) and self._options.decimal == "point")
         defaults = {self._default.get(axis) for axis in axes}
+        if not unit and axes and defaults == {None}:
+            unit = self._options.xy_unit or ""
         metres = metres_in(unit) if unit else defaults.pop() if len(defaults) == 1 else None
         if number is None or (unit and metres is None):
             raise Refused(f"states the length '{value} {unit}' in its header, which is none")

@@ -48,11 +48,18 @@ namespace strait
     void
     check_values(const HeightMap &map, const std::string &file)
     {
+      // No height in any unit; the largest that a scene may state. Half and double of it
+      // make no difference: marks of missing points are larger by far.
+      constexpr double largest = 1e30;
       for (std::size_t i = 0; i < map.values.size(); ++i)
-        if (std::isinf(map.values[i]))
+        if (std::abs(map.values[i]) > largest)
           reject_height_map(file,
-                            "has an infinite value in row " + std::to_string(i / map.nx) +
-                              ", column " + std::to_string(i % map.nx) +
+                            "has " +
+                              std::string(std::isinf(map.values[i])
+                                            ? "an infinite value"
+                                            : "a value above 1e30") +
+                              " in row " + std::to_string(i / map.nx) + ", column " +
+                              std::to_string(i % map.nx) +
                               " (counted from 0): mark missing points as nan.");
       if (map.n_missing() == map.values.size())
         reject_height_map(file, "has no valid point at all: check what was exported.");

@@ -55,7 +55,12 @@ namespace strait
     {
       const std::size_t colon = line.find(':');
       if (colon == std::string::npos)
-        return;
+        {
+          // It may be a mark of missing points or a scale.
+          if (line.find_first_of("=0123456789") != std::string::npos)
+            reject_for_import(file, "has the header line '" + trim(line) + "'");
+          return;
+        }
       const std::string  key     = trim(line.substr(1, colon - 1));
       const std::string  value   = trim(line.substr(colon + 1));
       const std::string &earlier = stated.emplace(key, value).first->second;

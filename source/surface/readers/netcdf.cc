@@ -302,6 +302,8 @@ namespace strait
       for (const std::uint64_t dimension : found->second.dimensions)
         if (dimension >= header.dimensions.size())
           reject_height_map(file, "has a damaged header: copy or import it again.");
+        else if (header.dimensions[dimension].n == 0)
+          reject_for_import(file, "has heights in records");
       return found->second;
     }
   } // namespace

@@ -38,7 +38,8 @@ namespace strait
    * Read a height map in one of the formats below, recognised by the content of the file.
    * Not collective: call it on one rank. Throws InputError if the file has another
    * format, with the command that imports it; also if it cannot be read, is incomplete,
-   * has an infinite value or no valid point, or states a size that is not positive.
+   * has a value that is infinite or above 1e30, or no valid point, or states a size that
+   * is not positive.
    */
   HeightMap read_height_map(const std::string &file);
 
@@ -84,8 +85,9 @@ namespace strait
    *
    * as Gwyddion writes it in English; without units, numbers are in those of the scene.
    * Other lines that begin with # and have a colon are refused, except "# Channel:", as
-   * they may state a unit in another language. So are a header line that contradicts an
-   * earlier one, and anything after the last row.
+   * they may state a unit in another language. So are those with a number or a sign of
+   * equality, which may be a mark of missing points or a scale, a header line that
+   * contradicts an earlier one, and anything after the last row.
    */
   HeightMap read_matrix_text(const std::string &file);
 
