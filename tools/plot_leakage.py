@@ -26,14 +26,21 @@ def leak_rate_label(table, units):
 
 
 def all_series(table):
-    """(label, slip length, branch, rows) of each line: one for each slip length and branch."""
+    """(label, slip length, branch, rows) of each line: one for each slip length and branch, and for
+    each time that a path comes back to a branch."""
     branches, slips = column(table, "branch", ""), column(table, "slip_length", 0.)
     several_branches, several_slips = len(set(branches)) > 1, len(set(slips)) > 1
     for slip in dict.fromkeys(slips):
-        for branch in dict.fromkeys(branches):
+        of_slip = np.flatnonzero(slips == slip)
+        turns = np.flatnonzero(branches[of_slip][1:] != branches[of_slip][:-1]) + 1
+        times = {}
+        for piece in np.split(of_slip, turns):
+            branch = branches[piece[0]]
+            times[branch] = times.get(branch, 0) + 1
+            branch += f" ({times[branch]})" if times[branch] > 1 else ""
             words = [f"$d_0$ = {scientific(slip)}"] if several_slips else []
             words += [branch] if several_branches else []
-            yield ", ".join(words) or None, slip, branch, (branches == branch) & (slips == slip)
+            yield ", ".join(words) or None, slip, branch, np.isin(np.arange(len(slips)), piece)
 
 
 def error_bars(table, rows):
@@ -119,13 +126,14 @@ def draw_contact(axes, table, units, _):
     quantities = [("contact_area", "Contact area / nominal area", GREEN, "o"),
                   ("mean_gap", "Mean gap", VERMILLION, "s")]
     present = [quantity for quantity in quantities if quantity[0] in table]
-    branches = column(table, "branch", "")
     for i, (name, label, colour, marker) in enumerate(present):
         scale = axes.twinx() if i else axes
-        for branch in dict.fromkeys(branches):
-            rows = branches == branch
+        branches = []
+        for _, _, branch, rows in all_series(table):
+            branches += [branch] * (branch not in branches)
+            filling = "full" if branch == branches[0] else "none"   # hollow: on the way back
             draw_line(scale, table["pressure"][rows], table[name][rows],
-                      np.zeros(rows.sum(), bool), marker=marker, color=colour)
+                      np.zeros(rows.sum(), bool), marker=marker, color=colour, fillstyle=filling)
         draw_theory(scale, table, "pressure", f"theory_{name}", None if i else "theory")
         if name == "mean_gap":
             label_axis(scale.yaxis, label, "length", units,

@@ -112,7 +112,10 @@ def add_panels(lx, ly):
 
 def show_box(axes, image, about, units, outline=None):
     """Show an image of the box, the worst constriction in a ring, and the outline of a mesh."""
-    axes.imshow(image, origin="lower", extent=(0, about["lx"], 0, about["ly"]), aspect="auto")
+    # Each point lies in the middle of its square, the first one at 0, and its copy at the far side.
+    dx, dy = about["lx"] / image.shape[1], about["ly"] / image.shape[0]
+    axes.imshow(np.pad(image, ((0, 1), (0, 1), (0, 0)), mode="wrap"), origin="lower", aspect="auto",
+                extent=(-dx / 2, about["lx"] + dx / 2, -dy / 2, about["ly"] + dy / 2))
     axes.plot(about["worst_x"], about["worst_y"], markersize=19, clip_on=False, **RING)
     axes.set(xlim=(0, about["lx"]), ylim=(0, about["ly"]))
     for axis, name in ((axes.xaxis, "x"), (axes.yaxis, "y")):

@@ -13,7 +13,9 @@
 #include <p4est.h>
 #include <sc.h>
 
+#include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <map>
 #include <memory>
@@ -31,6 +33,29 @@ namespace strait::python
       static std::map<void *, std::function<void()>> objects;
       return objects;
     }
+
+    /** Restores the handlers of signals, which the libraries that start with MPI set. */
+    class KeptHandlers
+    {
+    public:
+      KeptHandlers()
+      {
+        for (std::size_t n = 1; n < handlers.size(); ++n)
+          sigaction(static_cast<int>(n), nullptr, &handlers[n]);
+      }
+
+      ~KeptHandlers()
+      {
+        for (std::size_t n = 1; n < handlers.size(); ++n)
+          sigaction(static_cast<int>(n), &handlers[n], nullptr);
+      }
+
+      KeptHandlers(const KeptHandlers &)            = delete;
+      KeptHandlers &operator=(const KeptHandlers &) = delete;
+
+    private:
+      std::array<struct sigaction, 32> handlers{}; // those of POSIX have smaller numbers
+    };
 
     /** If MPI is already running: do the rest of what MPI_InitFinalize does. */
     void
@@ -108,8 +133,9 @@ namespace strait::python
       join_mpi();
     else
       {
-        int    argc = 0;
-        char **argv = nullptr;
+        const KeptHandlers kept;
+        int                argc = 0;
+        char             **argv = nullptr;
         own_mpi =
           std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
         on_exit(&stop_own_mpi, nullptr);

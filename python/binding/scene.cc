@@ -11,11 +11,13 @@
 #include <strait/surface/read_scene.h>
 #include <strait/surface/statistics.h>
 
-#include <pybind11/iostream.h>
 #include <pybind11/stl.h>
 
 #include <cmath>
+#include <exception>
 #include <filesystem>
+#include <ostream>
+#include <streambuf>
 
 #include "arrays.h"
 #include "bindings.h"
@@ -25,6 +27,70 @@ namespace strait::python
 {
   namespace
   {
+    /**
+     * Passes lines on to a text stream of Python, with ? for characters that it does not
+     * know. As neither streams nor destructors may throw, an error of that stream, such
+     * as a full disk, is kept for rethrow(), and nothing more is passed on.
+     */
+    class PythonOutput : public std::streambuf
+    {
+    public:
+      explicit PythonOutput(py::object stream_)
+        : stream(std::move(stream_))
+      {
+      }
+
+      void
+      rethrow() const
+      {
+        if (error)
+          std::rethrow_exception(error);
+      }
+
+    protected:
+      int_type
+      overflow(const int_type character) override
+      {
+        if (character != traits_type::eof())
+          text += traits_type::to_char_type(character);
+        return traits_type::not_eof(character);
+      }
+
+      std::streamsize
+      xsputn(const char *characters, const std::streamsize n) override
+      {
+        text.append(characters, static_cast<std::size_t>(n));
+        return n;
+      }
+
+      int
+      sync() override
+      {
+        const py::gil_scoped_acquire held;
+        if (!error)
+          try
+            {
+              py::object known = py::getattr(stream, "encoding", py::none());
+              if (known.is_none())
+                known = py::str("utf-8");
+              stream.attr("write")(
+                py::str(text).attr("encode")(known, "replace").attr("decode")(known));
+              stream.attr("flush")();
+            }
+          catch (const py::error_already_set &)
+            {
+              error = std::current_exception();
+            }
+        text.clear();
+        return 0;
+      }
+
+    private:
+      py::object         stream;
+      std::string        text;
+      std::exception_ptr error;
+    };
+
     SceneSource
     make(const std::string &path, const Overrides &overrides)
     {
@@ -76,7 +142,8 @@ namespace strait::python
     statistics_of(const Array &array, const std::array<double, 2> &size)
     {
       start();
-      require(array.ndim() == 2, "The heights must be an array of two dimensions.");
+      require(array.ndim() == 2 && array.size() > 0,
+              "The heights must be an array of two dimensions, neither of them 0.");
       require(size[0] > 0. && size[1] > 0. && std::isfinite(size[0] + size[1]),
               "The size must be lengths above zero.");
       const PeriodicGrid      grid{static_cast<int>(array.shape(1)),
@@ -103,26 +170,35 @@ namespace strait::python
         const bool         resume,
         const bool         force)
     {
-      py::detail::pythonbuf  buffer(py::module_::import("sys").attr("stdout"));
-      std::ostream           screen(&buffer);
-      const SignalsOfProgram signals;
-      const Computing        computing;
-      Log log(MPI_COMM_WORLD, screen, verbose ? Log::Screen::plain : Log::Screen::silent);
-      if (!force && !resume)
-        refuse_to_replace_results(source.scene, MPI_COMM_WORLD);
-      const bool converged = run_all_realisations(source.scene, log, resume);
-      MPI_Barrier(MPI_COMM_WORLD); // all ranks may read what rank 0 wrote
+      PythonOutput buffer(py::module_::import("sys").attr("stdout"));
+      std::ostream screen(&buffer);
+      bool         converged = false;
+      {
+        const SignalsOfProgram signals;
+        const Computing        computing;
+        Log                    log(MPI_COMM_WORLD,
+                screen,
+                verbose ? Log::Screen::plain : Log::Screen::silent);
+        if (!force && !resume)
+          refuse_to_replace_results(source.scene, MPI_COMM_WORLD);
+        converged = run_all_realisations(source.scene, log, resume);
+        MPI_Barrier(MPI_COMM_WORLD); // all ranks may read what rank 0 wrote
+      }
+      buffer.rethrow();
       return converged;
     }
 
     void
     describe_scene(const SceneSource &source)
     {
-      py::detail::pythonbuf buffer(py::module_::import("sys").attr("stdout"));
-      std::ostream          screen(&buffer);
-      const Computing       computing;
-      Log                   log(MPI_COMM_WORLD, screen, Log::Screen::plain);
-      describe(source.scene, log);
+      PythonOutput buffer(py::module_::import("sys").attr("stdout"));
+      std::ostream screen(&buffer);
+      {
+        const Computing computing;
+        Log             log(MPI_COMM_WORLD, screen, Log::Screen::plain);
+        describe(source.scene, log);
+      }
+      buffer.rethrow();
     }
 
     std::string

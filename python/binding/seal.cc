@@ -7,6 +7,7 @@
 #include <strait/surface/make_surface.h>
 #include <strait/surface/map_processing.h>
 #include <strait/surface/read_scene.h>
+#include <strait/surface/self_affine_surface.h>
 #include <strait/surface/statistics.h>
 
 #include <pybind11/stl.h>
@@ -46,6 +47,9 @@ namespace strait::python
         }
       else
         {
+          for (const std::string &warning :
+               check_resolution(scene.surface, layout->grid()))
+            log.warn(warning);
           Remarks remarks;
           heights = make_surface(scene.surface, layout, &remarks);
           for (const std::string &warning : remarks.warnings)
@@ -58,8 +62,8 @@ namespace strait::python
         stage = std::make_unique<FlowStage>(scene.fluid, layout, log, timers);
       model = make_seal(scene, contact, std::move(heights), stage.get(), log);
     }
+    pass_warnings_on(); // which may throw
     free_at_exit(this, [this]() { free(); });
-    pass_warnings_on();
   }
 
   Seal::~Seal()
@@ -280,7 +284,7 @@ namespace strait::python
            "A control; parts that are not given are those of the scene.")
       .def("solve", &Seal::solve, py::arg("control") = 0., py::arg("from_") = State())
       .def("_follow", &Seal::follow, py::arg("controls"), py::arg("from_") = State())
-      .def("flow", &Seal::flow, py::arg("state"), py::arg("fields") = false)
+      .def("flow", &Seal::flow, py::arg("state").none(false), py::arg("fields") = false)
       .def("find_transitions",
            &Seal::find_transitions,
            py::arg("first") = py::none(),

@@ -51,8 +51,8 @@ def _text(value: Any) -> str:
         return ""
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
-    if isinstance(value, (str, os.PathLike)):
-        return os.fspath(value)
+    if isinstance(value, (str, bytes, os.PathLike)):
+        return " ".join(os.fsdecode(value).splitlines())
     if isinstance(value, Iterable) and getattr(value, "ndim", 1) > 0:
         return ", ".join(map(_text, value))
     return repr(value.item() if isinstance(value, (np.generic, np.ndarray)) else value)
@@ -95,6 +95,10 @@ def _override(name: str, text: str) -> str:
 
 
 def _overrides(*parameters: Mapping[str, Any] | None) -> list[str]:
+    for some in parameters:
+        if not isinstance(some, (Mapping, type(None))):
+            raise TypeError(f"{some!r} is no dictionary of parameters; Scene.from_prm(PATH) reads a "
+                            "scene file")
     return [_override(_full_name(name), _text(value))
             for some in parameters for name, value in _flatten(some or {})]
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace strait
@@ -231,11 +232,15 @@ namespace strait
   FlowAtPoints
   flow_at_points(const ReynoldsSolver &solver, const PointRows &rows)
   {
-    const FlowMesh    &mesh  = solver.mesh();
-    const auto        &cells = solver.pressure().cells();
-    std::vector<float> nothing(static_cast<std::size_t>(rows.nx) * rows.ny, 0.F);
-    FlowAtPoints       result{nothing, nothing};
-    const auto         slope = vertex_slopes(solver.stream_function());
+    const FlowMesh          &mesh    = solver.mesh();
+    const auto              &cells   = solver.pressure().cells();
+    constexpr float          unknown = -std::numeric_limits<float>::infinity();
+    const std::vector<float> nothing(static_cast<std::size_t>(rows.nx) * rows.ny,
+                                     unknown);
+    // Cells share the points on their edges, and points beside cells, which only count
+    // where no cell of any rank contains them.
+    FlowAtPoints   inside{nothing, nothing}, beside{nothing, nothing};
+    const auto     slope = vertex_slopes(solver.stream_function());
     Vector<double> pressures(solver.pressure().dof_handler().get_fe().n_dofs_per_cell());
     Vector<double> slopes(pressures.size());
     for (std::size_t c = 0; c < cells.size(); ++c)
@@ -245,17 +250,26 @@ namespace strait
           solver.stream_function().cells()[c]->get_dof_values(slope, slopes);
           for (const PointInCell &p : points)
             {
-              const std::size_t k = static_cast<std::size_t>(p.iy) * rows.nx + p.ix;
-              if (p.inside || result.current[k] == 0.F)
-                {
-                  result.pressure[k] = static_cast<float>(p.interpolate(pressures));
-                  result.current[k]  = static_cast<float>(p.interpolate(slopes));
-                }
+              const std::size_t k  = static_cast<std::size_t>(p.iy) * rows.nx + p.ix;
+              FlowAtPoints     &at = p.inside ? inside : beside;
+              const auto        keep_larger = [](float &kept, const double value) {
+                kept = std::max(kept, static_cast<float>(value));
+              };
+              keep_larger(at.pressure[k], p.interpolate(pressures));
+              keep_larger(at.current[k], p.interpolate(slopes));
             }
         }
-    // Cells of a seal mesh share the points on their edges.
-    for (std::vector<float> *field : {&result.pressure, &result.current})
-      Utilities::MPI::max(*field, mesh.triangulation().get_communicator(), *field);
-    return result;
+    for (std::vector<float> FlowAtPoints::*field :
+         {&FlowAtPoints::pressure, &FlowAtPoints::current})
+      {
+        for (FlowAtPoints *at : {&inside, &beside})
+          Utilities::MPI::max(at->*field,
+                              mesh.triangulation().get_communicator(),
+                              at->*field);
+        for (std::size_t k = 0; k < nothing.size(); ++k)
+          if ((inside.*field)[k] == unknown)
+            (inside.*field)[k] = std::max((beside.*field)[k], 0.F);
+      }
+    return inside;
   }
 } // namespace strait

@@ -152,7 +152,7 @@ namespace strait
   {
     const int  descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     const auto unlock     = [descriptor](const void *) { close(descriptor); };
-    const std::shared_ptr<const void> lock(nullptr, unlock);
+    std::shared_ptr<const void> lock(nullptr, unlock);
     // Any other error means that the file system has no locks.
     require(descriptor < 0 || flock(descriptor, LOCK_EX | LOCK_NB) == 0 ||
               errno != EWOULDBLOCK,

@@ -229,7 +229,7 @@ namespace strait
       if (!sweep.progress().jumps.empty())
         output.write_table(jump_table(scene), sweep.progress().jumps);
     };
-    bool stopped = false;
+    bool stopped = false, lacks_last = false;
     try
       {
         find_seals(scene, sweep, output, save);
@@ -240,6 +240,7 @@ namespace strait
             const bool is_last = step.number == sweep.n_steps();
             output.write(step, is_last);
             write_jumps();
+            lacks_last = !is_last || (step.state.fluid && step.state.fluid->lifted_off);
             if (is_last && step.state.contact)
               write_indented_surface(scene, shown, *step.state.contact);
           }
@@ -251,6 +252,10 @@ namespace strait
         stopped = true;
       }
     write_jumps();
+    if (!stopped && lacks_last && scene.output.fields == FieldOutput::last)
+      log.warn(
+        "Output/Fields = last wrote none, as the walls part before the last load; "
+        "set it to all, or leave out the loads behind");
     RunSummary summary =
       output.finish(sweep.progress().thresholds, timers, peak_memory(comm) / n_points);
     if (stopped)

@@ -25,6 +25,60 @@ def run(script, *command, **options):
                           text=True, capture_output=True, check=False, timeout=120, **options)
 
 
+class Surroundings(unittest.TestCase):
+    """What the script has set up, and what may go wrong there."""
+
+    def test_output_that_knows_few_characters(self):
+        done = run("scene.describe()", "env", "PYTHONIOENCODING=ascii")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("grid 128 ? 128", done.stdout)
+
+    def test_output_that_is_full(self):
+        done = run("""
+            class Full:
+                def write(self, text):
+                    raise OSError("full")
+                def flush(self):
+                    pass
+            for call in (scene.describe, lambda: scene.run(verbose=True)):
+                sys.stdout, screen = Full(), sys.stdout
+                try:
+                    call()
+                except OSError as error:
+                    print(error, file=screen)
+                sys.stdout = screen
+            """)
+        self.assertEqual((done.stdout, done.returncode), ("full\nfull\n", 0), done.stderr)
+
+    def test_warnings_as_errors(self):
+        done = run("""
+            import warnings
+            warnings.simplefilter("error")
+            try:
+                strait.Seal(scene.replace({"Contact/Adhesion/Range": 0.1}))
+            except strait.SceneWarning:
+                print("caught")
+            """)
+        self.assertEqual((done.stdout, done.returncode), ("caught\n", 0), done.stderr)
+
+    def test_handlers_of_signals_are_kept(self):
+        script = """
+            import os, signal, strait
+            signal.signal(signal.SIGTERM, lambda *_: print("handled", flush=True))
+            strait.Scene()
+            os.kill(os.getpid(), signal.SIGTERM)
+            read_end, write_end = os.pipe()
+            os.close(read_end)
+            try:
+                os.write(write_end, b"x")
+            except BrokenPipeError:
+                print("broken pipe")
+            """
+        done = subprocess.run([sys.executable, "-c", textwrap.dedent(script)], text=True,
+                              capture_output=True, check=False, timeout=120)
+        self.assertEqual((done.stdout, done.returncode), ("handled\nbroken pipe\n", 0), done.stderr)
+
+
 class Interrupted(unittest.TestCase):
     def interrupt(self, script, most_seconds=30):
         """Interrupt a script half a second after it prints "begun"; return what it prints then."""

@@ -56,6 +56,19 @@ class Scenes(unittest.TestCase):
             with self.assertRaisesRegex(strait.SceneError, sentence):
                 strait.Scene(parameters)
         self.assertTrue(issubclass(strait.SceneError, ValueError))
+        for wrong in ("a.prm", 3):
+            with self.assertRaisesRegex(TypeError, "Scene.from_prm"):
+                strait.Scene(wrong)
+
+    def test_texts_may_be_bytes_or_go_on_in_another_line(self):
+        scene = strait.Scene({"Output/Directory": b"there", "Surface/Kind": "expression",
+                              "Surface/Expression": """cos(2*pi*x)
+                              + cos(2*pi*y)"""})
+        self.assertEqual(scene["Output/Directory"], "there")
+        self.assertEqual(scene["Surface/Expression"].split(), ["cos(2*pi*x)", "+", "cos(2*pi*y)"])
+        self.assertEqual(scene.replace(contact=dict(grid_points=64)).heights().shape, (64, 64))
+
+    def test_a_file_that_is_missing(self):
         with self.assertRaisesRegex(strait.SceneError, "Cannot read the scene file '.*/no.prm'"):
             strait.Scene.from_prm("no.prm")
 
@@ -184,6 +197,17 @@ class Runs(unittest.TestCase):
         self.assertEqual(scene.run().unit("critical_load_lower"), "MPa")
         table = strait.sweep(scene, [{}], table="ensemble.csv")
         self.assertEqual(table.units["critical_load_lower"], "MPa")
+
+    def test_fields_of_the_last_load_that_no_state_has(self):
+        """Fluid that carries the load parts the walls; the run says that there are no fields."""
+        scene = strait.Scene({**SMALL, "Fluid/Wall feedback/Enabled": True, "Output/Fields": "last",
+                              "Fluid/Inlet pressure": 0.1, "Fluid/Outlet pressure": 0.1,
+                              "Load programme/Pressures": (0.2, 0.05)})
+        with self.assertRaises(strait.NotConverged) as caught:
+            scene.run()
+        run = caught.exception.run
+        self.assertEqual(list(run.folder.glob("fields-*")), [])
+        self.assertIn("Output/Fields = last wrote none", (run.folder / "log.txt").read_text())
 
     def test_not_converged_comes_with_its_results(self):
         with self.assertRaises(strait.NotConverged) as context:

@@ -252,8 +252,12 @@ class Seals(unittest.TestCase):
         dry = strait.Seal(self.scene.replace({"Fluid/Enabled": False}))
         with self.assertRaisesRegex(strait.SceneError, "no flow"):
             dry.flow(dry.solve(0.1))
-        with self.assertRaises(TypeError):
-            self.seal.solve("much")
+        for call in (lambda: self.seal.solve("much"), lambda: self.seal.flow(None)):
+            with self.assertRaises(TypeError):
+                call()
+        for shape in ((0, 5), (5, 0), (0, 0)):
+            with self.assertRaisesRegex(strait.SceneError, "neither of them 0"):
+                strait.statistics(np.zeros(shape))
 
     def test_what_the_program_refuses_or_warns_of(self):
         real = {**SMALL, "Units/Length": "um", "Units/Pressure": "MPa", "Surface/Size": 50,
@@ -271,6 +275,11 @@ class Seals(unittest.TestCase):
             pressed.find_blow_outs([25.])
         with self.assertRaisesRegex(strait.SceneError, "which no surface has"):
             strait.Seal(strait.Scene({**real, "Surface/RMS value": 50}))
+        fine = {"Surface/Short cut-off wavelength": 1 / 128, "Fluid/Enabled": False}
+        with self.assertRaisesRegex(strait.SceneError, "spans only 0.5 grid points"):
+            strait.Seal(strait.Scene({**fine, "Contact/Grid points": 64}))
+        with self.assertWarnsRegex(strait.SceneWarning, "spans only 2 grid points"):
+            strait.Seal(strait.Scene({**fine, "Contact/Grid points": 256}))
         with self.assertWarnsRegex(strait.SceneWarning, "have no effect: Range"):
             strait.Seal(strait.Scene({**SMALL, "Contact/Adhesion/Range": 0.1}))
 

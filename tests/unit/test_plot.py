@@ -162,6 +162,20 @@ class Leakage(PlotTest):
             self.axes_of(plot_leakage.draw_contact, *lines)
         self.assertEqual(label.call_args.args[-1], 0.4, "the scale is that of what is finite")
 
+    def test_a_contact_that_is_loaded_again_has_its_own_line(self):
+        rows = [f"{k},{branch},{pressure},0.1,{area},{area},1,,1e-6,9e-7,1.1e-6,ok"
+                for k, (branch, pressure, area) in enumerate(
+                    [("loading", 1, .1), ("loading", 3, .3), ("unloading", 2, .25),
+                     ("loading", 2.5, .27), ("loading", 4, .4)])]
+        self.write_table(HEADER, *rows)
+        table = plot_leakage.read_table(self.folder / "leakage.csv")
+        lines = [(label, list(table["pressure"][chosen]))
+                 for label, _, _, chosen in plot_leakage.all_series(table)]
+        self.assertEqual(lines, [("loading", [1, 3]), ("unloading", [2]),
+                                 ("loading (2)", [2.5, 4])])
+        axes = self.axes_of(plot_leakage.draw_contact, HEADER, *rows)
+        self.assertIn([2.5, 4], [list(line.get_xdata()) for line in axes.lines])
+
     def test_bracket_is_drawn(self):
         wide = ROWS[1].replace("9e-7", "1e-7")
         blue = np.array([0, 114, 178])

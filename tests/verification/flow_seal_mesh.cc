@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Flow on seal meshes, which cover a part of the box.
+#include <strait/flow/solution_on_grid.h>
+
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>
 
@@ -216,6 +218,34 @@ namespace strait
         },
         128,
         128);
+    }
+
+    TEST(FlowSealMesh, PictureOfARingIsThatOfItsOwnCellsParallel)
+    {
+      const SlabField       gap   = sample([](double, double) { return 1.; }, 96, 96);
+      const FluidParameters fluid = plain_fluid(.001);
+      const GapInSeal       given(gap, fluid, "ring");
+      ReynoldsSolver        solver(fluid, given.field, &given.seal);
+      solver.run(given.channel);
+      const PointRows    rows    = rows_of_grid(gap.grid(), 1);
+      const FlowAtPoints picture = flow_at_points(solver, rows);
+      int                n       = 0;
+      for (int iy = 0; iy < rows.ny; ++iy)
+        for (int ix = 0; ix < rows.nx; ++ix)
+          {
+            const double r = std::hypot(ix / 96. - .5, iy / 96. - .5);
+            if (r <= inner_radius || r >= outer_radius)
+              continue;
+            ++n;
+            const std::size_t k = static_cast<std::size_t>(iy) * rows.nx + ix;
+            EXPECT_NEAR(picture.pressure[k],
+                        std::log(outer_radius / r) /
+                          std::log(outer_radius / inner_radius),
+                        .03)
+              << ix << ' ' << iy;
+            EXPECT_NEAR(picture.current[k] * 2 * pi * r, 1., .1) << ix << ' ' << iy;
+          }
+      EXPECT_GT(n, 3000);
     }
 
     TEST(FlowSealMesh, VerdictAndFlowAgreeOnARingParallel)
