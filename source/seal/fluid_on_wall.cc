@@ -130,7 +130,7 @@ namespace strait
             case NodeState::closed:
               if (!has_initial_extension)
                 pressure[k] = .5 * (inlet + outlet);
-              open_gap[k] = std::min(open_gap[k], 0.);
+              open_gap[k] = 0.;
               break;
           }
       }
@@ -164,8 +164,9 @@ namespace strait
       if (const int r = regions.region_of_point[k]; r >= 0)
         {
           pressure[k] = next[r];
-          // The points of a region that is shut count as open, for which any gap will do.
-          open_gap[k] = std::max(open_gap[k], std::numeric_limits<double>::min());
+          // At its widest points the pressure is known, even if all of them are shut.
+          const double gap = std::max(open_gap[k], std::numeric_limits<double>::min());
+          open_gap[k]      = 2. * gap >= regions.widest[r] ? -gap : gap;
         }
   }
 

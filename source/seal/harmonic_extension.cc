@@ -46,12 +46,13 @@ namespace strait
               double largest = 0;
               for (int b = -1; b <= 1; ++b)
                 for (int a = -1; a <= 1; ++a)
-                  largest = std::max(largest, rows[row + b][(ix + a + nx) % nx]);
+                  largest =
+                    std::max(largest, std::abs(rows[row + b][(ix + a + nx) % nx]));
               // A point counts as open from half of the largest gap around it.
               const double ratio =
-                largest > 0 ? 2. * std::max(flow_gap[k], 0.) / largest : 0.;
+                largest > 0 ? 2. * std::abs(flow_gap[k]) / largest : 0.;
               const double sides = weight_x + weight_y;
-              spring[k]          = ratio < 1 && !is_on_line(ix, row)
+              spring[k]          = ratio < 1 && flow_gap[k] >= 0. && !is_on_line(ix, row)
                                      ? sides * ratio * ratio / (1. - ratio)
                                      : std::numeric_limits<double>::infinity();
               factor[k]          = over_relaxation / (2. * sides + spring[k]);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "window_tools.h"
 
@@ -19,7 +21,7 @@ namespace strait
     gap_at(const double x, const double y)
     {
       const double disc = std::hypot(x - .6, y - .5) - .2;
-      return std::min(disc, std::abs(x - .15) - .05);
+      return std::max(std::min(disc, std::abs(x - .15) - .05), 0.);
     }
 
     SlabLayoutPtr
@@ -157,6 +159,30 @@ namespace strait
                                         line[3 * window.x - 1 + ix]));
         }
       EXPECT_LT(largest, .05); // reached at the rim; 0.3 without a window
+    }
+
+    TEST(HarmonicExtension, KeepsTheFluidOfAClosedPointParallel)
+    {
+      // One closed point beside the open gap, and one far from it.
+      const SlabLayoutPtr layout   = layout_for(32, 32);
+      const auto          is_known = [](const double x, const double y) {
+        return (x == .5 && y == .5) || (x == .5 && y == 19. / 32.);
+      };
+      const auto wall = [](const double, const double y) {
+        return std::abs(y - .5) < .1 ? 0. : 1.;
+      };
+      const auto gap      = field_of(layout, [&](const double x, const double y) {
+        return is_known(x, y) ? -std::numeric_limits<double>::min() : wall(x, y);
+      });
+      SlabField  pressure = field_of(layout, [&](const double x, const double y) {
+        return is_known(x, y) ? 5. : 1.;
+      });
+      extend_under_contact(pressure, gap, FlowDirection::x, 1., 1.);
+      EXPECT_EQ(max_value(pressure), 5.);
+      std::vector<double> known;
+      for (const int iy : {16, 19})
+        known.push_back(fetch_rows(pressure, {iy})[16]);
+      EXPECT_EQ(known, std::vector<double>(2, 5.));
     }
 
     TEST(HarmonicExtension, DoesNotJumpWhenAPointOpens)

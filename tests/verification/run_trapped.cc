@@ -173,6 +173,31 @@ namespace strait
       EXPECT_GT(in_one, .04);
     }
 
+    TEST(Trapped, ARegionBesideTheChannelIsPressedShut)
+    {
+      // Its fluid takes over the contact pressure of a point or two next to open ones.
+      // Where these decided on its pressure, no load near closing had a state.
+      Scene scene;
+      scene.contact.grid_points              = {{64, 64}};
+      scene.surface.roll_off_wavelength      = .5;
+      scene.surface.short_cut_off_wavelength = .125;
+      scene.fluid.inlet_pressure             = 1e-3;
+      scene.programme.find_threshold         = true;
+      scene.programme.pressures              = {.15};
+      const Sweep drained                    = run_sweep(scene);
+      scene.fluid.feedback.enabled           = true;
+      scene.fluid.feedback.trapped_fluid     = TrappedFluidLaw::incompressible;
+      const Sweep       sweep                = run_sweep(scene);
+      const Transition &closing              = sweep.thresholds.front();
+      EXPECT_TRUE(closing.converged);
+      EXPECT_LT(closing.fft_pairs, 1000); // without states 5000
+      EXPECT_EQ(sweep.rows.front().status, drained.rows.front().status);
+      // The fluid carries a fifth to two fifths of its pressure in the seal.
+      EXPECT_GT(closing.lower, drained.thresholds.front().lower);
+      EXPECT_LT(closing.upper,
+                drained.thresholds.front().upper + scene.fluid.inlet_pressure);
+    }
+
     TEST(Trapped, LiquidTearsWhereTheWallLeavesIt)
     {
       // Without a cavity, the liquid would be under tension and hold the wall.

@@ -61,11 +61,13 @@ namespace strait
    * The solver is conjugate gradients, preconditioned by symmetric successive
    * over-relaxation within the rows of each rank.
    *
-   * @p pressure: on entry, that of the fluid where @p flow_gap > 0 and an initial guess
-   * elsewhere; on return, the extended pressure everywhere, to 1e-7 of the boundary
-   * values. On the seam, which is inlet and outlet at once, every point gets the mean of
-   * the two reservoirs, because sums over the grid are a trapezoidal rule. Windows are
-   * solved one level after the other, each between the values of its parent around it.
+   * @p flow_gap: 0 under the contact; minus the gap where the pressure is known, whatever
+   * the gaps beside it are, as at the widest points of trapped fluid. @p pressure: on
+   * entry, that of the fluid where @p flow_gap is not 0 and an initial guess elsewhere;
+   * on return, the extended pressure everywhere, to 1e-7 of the boundary values. On the
+   * seam, which is inlet and outlet at once, every point gets the mean of the two
+   * reservoirs, because sums over the grid are a trapezoidal rule. Windows are solved one
+   * level after the other, each between the values of its parent around it.
    * Returns the number of iterations. Collective.
    */
   int extend_under_contact(SlabField       &pressure,
