@@ -60,7 +60,9 @@ def main(arguments=None):
     parser.add_argument("--steps", type=int, nargs="+", metavar="STEP", help="these pictures")
     options = parser.parse_args(arguments)
     use_style()
-    units, status = read_units(options.folder), 0
+    units = read_units(options.folder)
+    known = numbered(options.folder, "picture-*.h5")
+    status = int(any(step not in known for step in options.steps or []))
     for draw, path in find_results(options.folder, options.only, options.steps):
         try:
             draw(path, units)

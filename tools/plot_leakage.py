@@ -141,7 +141,7 @@ def draw_contact(axes, table, units, _):
             label = scale.get_ylabel()
         scale.set_ylabel(label, color=colour)
         scale.tick_params(axis="y", colors=colour)
-        scale.set_ylim(bottom=0)
+        scale.set_ylim(bottom=0, top=(1 + .2 * i) * scale.get_ylim()[1])   # single points apart
 
 
 def draw_theory_alone(axes, table, units, _):

@@ -112,9 +112,10 @@ def add_panels(lx, ly):
 
 def show_box(axes, image, about, units, outline=None):
     """Show an image of the box, the worst constriction in a ring, and the outline of a mesh."""
-    # Each point lies in the middle of its square, the first one at 0, and its copy at the far side.
+    # Each point lies in the middle of its square, the first one at 0. The last ones fill the box: the
+    # copies of the first ones are beyond the outlet.
     dx, dy = about["lx"] / image.shape[1], about["ly"] / image.shape[0]
-    axes.imshow(np.pad(image, ((0, 1), (0, 1), (0, 0)), mode="wrap"), origin="lower", aspect="auto",
+    axes.imshow(np.pad(image, ((0, 1), (0, 1), (0, 0)), mode="edge"), origin="lower", aspect="auto",
                 extent=(-dx / 2, about["lx"] + dx / 2, -dy / 2, about["ly"] + dy / 2))
     axes.plot(about["worst_x"], about["worst_y"], markersize=19, clip_on=False, **RING)
     axes.set(xlim=(0, about["lx"]), ylim=(0, about["ly"]))
@@ -149,9 +150,10 @@ def add_legend(axes, inches, about):
 
 def mark_flow(axes, about):
     """Mark where the fluid enters and leaves, and whether the seal is closed."""
-    for at, words in enumerate(("inlet ⟶", "⟶ outlet")):
+    arrow = "⟵" if about["leak_rate"] < 0 else "⟶"
+    for at, words in enumerate((f"inlet {arrow}", f"{arrow} outlet")):
         if about["direction"] == "mesh":
-            axes.text(0.01 + 0.98 * at, 1.015, words.strip(" ⟶"), transform=axes.transAxes,
+            axes.text(0.01 + 0.98 * at, 1.015, words.strip(f" {arrow}"), transform=axes.transAxes,
                       color=OUTLINES[at]["color"], fontsize=10, ha=("left", "right")[at])
         elif about["direction"] == "y":
             axes.text(1.015, at, words, transform=axes.transAxes, rotation=90,
@@ -174,7 +176,7 @@ def headline(about, units):
     return "   ·   ".join(parts)
 
 
-def add_window(axes, fields, about):
+def add_window(axes, fields, about, units):
     """Add the gap in the finest window around the worst constriction as an inset."""
     if "window_gap" not in fields:
         return
@@ -185,7 +187,8 @@ def add_window(axes, fields, about):
     scale = {"gap": colour_scales(zoomed, {"percolates": 0.0})["gap"]}
     inset.imshow(paint_gap(zoomed, scale), origin="lower", aspect="auto")
     inset.set(xticks=[], yticks=[])
-    inset.set_title(f"{scientific(lx)} × {scientific(ly)}", fontsize=7, pad=2)
+    inset.set_title(f"{scientific(lx)} × {scientific(ly)} {units.get('length', '')}".rstrip(),
+                    fontsize=7, pad=2, bbox={"facecolor": "white", "edgecolor": "none", "pad": 1})
     for spine in inset.spines.values():
         spine.set(color="white", linewidth=1.5)
     axes.add_patch(patches.Rectangle((x, y), lx, ly, fill=False, color="white", linewidth=0.8))
@@ -205,7 +208,7 @@ def draw_picture(path, units):
     show_box(left, paint_gap(fields, scales), about, units, outline)
     add_colour_bars(left, inches, [(scales["gap"], "Gap", "length")], units)
     add_legend(left, inches, about)
-    add_window(left, fields, about)
+    add_window(left, fields, about, units)
     dry = np.isnan(about["percolates"])
     show_box(right, (paint_load if dry else paint_flow)(fields, scales), about, units, outline)
     add_colour_bars(right, inches,

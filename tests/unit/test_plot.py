@@ -162,6 +162,18 @@ class Leakage(PlotTest):
             self.axes_of(plot_leakage.draw_contact, *lines)
         self.assertEqual(label.call_args.args[-1], 0.4, "the scale is that of what is finite")
 
+    def test_points_of_one_load_do_not_hide_each_other(self):
+        self.write_table(HEADER, ROWS[0])
+        figure = Figure()
+        axes = figure.subplots()
+        plot_leakage.draw_contact(axes, plot_leakage.read_table(self.folder / "leakage.csv"), {},
+                                  None)
+        heights = []
+        for scale in figure.axes:
+            at = (0, scale.lines[0].get_ydata()[0])
+            heights.append(scale.transAxes.inverted().transform(scale.transData.transform(at))[1])
+        self.assertGreater(abs(heights[0] - heights[1]), .05)
+
     def test_a_contact_that_is_loaded_again_has_its_own_line(self):
         rows = [f"{k},{branch},{pressure},0.1,{area},{area},1,,1e-6,9e-7,1.1e-6,ok"
                 for k, (branch, pressure, area) in enumerate(
@@ -462,7 +474,7 @@ class Pictures(PlotTest):
         write_picture(self.folder, 1, channel(32, 32))
         write_picture(self.folder, 12, channel(32, 32))
         status, message = self.draw("--steps", "12", "7")
-        self.assertEqual(status, 0)
+        self.assertEqual(status, 1)
         self.assertEqual(message.count("\n"), 2, message)  # no leakage.csv, no step 7
         self.assertEqual(self.drawn(), ["picture-12.png"])
         (self.folder / "picture-3.h5").write_bytes(b"cut short")
