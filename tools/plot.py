@@ -28,7 +28,7 @@ except ImportError as missing:
 
 
 def find_results(folder, only, steps):
-    """What to draw: (function, path) pairs; prints which of the wanted files are missing."""
+    """What to draw: (function, path) pairs, of which some files may be missing."""
     pictures = numbered(folder, "picture-*.h5")
     table, ensemble = folder / "leakage.csv", folder / "ensemble.csv"
     if not (table.exists() or ensemble.exists() or pictures):
@@ -46,10 +46,7 @@ def find_results(folder, only, steps):
     if only != "leakage":
         wanted += [(draw_picture, pictures.get(step, folder / f"picture-{step}.h5"))
                    for step in steps or pictures]
-    for _, path in wanted:
-        if not path.exists():
-            print(f"plot.py: {path} is missing.", file=sys.stderr)
-    return [(draw, path) for draw, path in wanted if path.exists()]
+    return wanted
 
 
 def main(arguments=None):
@@ -60,10 +57,12 @@ def main(arguments=None):
     parser.add_argument("--steps", type=int, nargs="+", metavar="STEP", help="these pictures")
     options = parser.parse_args(arguments)
     use_style()
-    units = read_units(options.folder)
-    known = numbered(options.folder, "picture-*.h5")
-    status = int(any(step not in known for step in options.steps or []))
+    units, status = read_units(options.folder), 0
     for draw, path in find_results(options.folder, options.only, options.steps):
+        if not path.exists():
+            print(f"plot.py: {path} is missing.", file=sys.stderr)
+            status = 1 if draw is draw_picture else status   # one that was asked for
+            continue
         try:
             draw(path, units)
         except (OSError, KeyError, ValueError, IndexError) as error:

@@ -126,12 +126,11 @@ def draw_contact(axes, table, units, _):
     quantities = [("contact_area", "Contact area / nominal area", GREEN, "o"),
                   ("mean_gap", "Mean gap", VERMILLION, "s")]
     present = [quantity for quantity in quantities if quantity[0] in table]
+    series = list(all_series(table))
     for i, (name, label, colour, marker) in enumerate(present):
         scale = axes.twinx() if i else axes
-        branches = []
-        for _, _, branch, rows in all_series(table):
-            branches += [branch] * (branch not in branches)
-            filling = "full" if branch == branches[0] else "none"   # hollow: on the way back
+        for _, _, branch, rows in series:
+            filling = "full" if branch == series[0][2] else "none"   # hollow: once turned back
             draw_line(scale, table["pressure"][rows], table[name][rows],
                       np.zeros(rows.sum(), bool), marker=marker, color=colour, fillstyle=filling)
         draw_theory(scale, table, "pressure", f"theory_{name}", None if i else "theory")

@@ -166,7 +166,7 @@ namespace strait
           pressure[k] = next[r];
           // At its widest points the pressure is known, even if all of them are shut.
           const double gap = std::max(open_gap[k], std::numeric_limits<double>::min());
-          open_gap[k]      = 2. * gap >= regions.widest[r] ? -gap : gap;
+          open_gap[k]      = regions.is_widest(k) ? -gap : gap;
         }
   }
 

@@ -219,11 +219,10 @@ namespace strait
     const std::size_t   n = volumes.size();
     std::vector<double> sums(2 * n);
     for (std::size_t k = 0; k < region_of_point.size(); ++k)
-      if (const int r = region_of_point[k];
-          r >= 0 && 2. * std::max(gap[k], 0.) >= widest[r])
+      if (is_widest(k))
         {
-          sums[r] += field[k];
-          ++sums[n + r];
+          sums[region_of_point[k]] += field[k];
+          ++sums[n + region_of_point[k]];
         }
     sum_in_place(gap.layout().communicator(), sums);
     std::vector<double> means(n);

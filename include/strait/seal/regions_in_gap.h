@@ -4,6 +4,8 @@
 #include <strait/percolation/clusters.h>
 #include <strait/seal/trapped_fluid.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -30,9 +32,16 @@ namespace strait
                  const SlabField    &open_gap,
                  const Clusters     &clusters);
 
-    /** Return the mean of @p field over the widest points of each region: those whose gap
-     *  is at least half of its largest, where the fluid's own pressure is known.
-     *  Collective. */
+    /** Whether local grid point @p k is one of the widest of its region: its gap is at
+     *  least half of the largest there, and the fluid's own pressure is known. */
+    bool
+    is_widest(const std::size_t k) const
+    {
+      const int r = region_of_point[k];
+      return r >= 0 && 2. * std::max(gap[k], 0.) >= widest[r];
+    }
+
+    /** Return the mean of @p field over the widest points of each region. Collective. */
     std::vector<double> mean_over_widest_points(const SlabField &field) const;
 
     /** The trapped fluid of a state. */
