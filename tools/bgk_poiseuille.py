@@ -11,8 +11,9 @@ equation for the velocity (Cercignani and Daneri, J. Appl. Phys. 34, 3509, 1963)
 and Q_P = (integral of psi)/delta^2 - 1/delta. It is solved by Galerkin's method with
 functions that are constant on panels, narrow ones at the walls; their integrals are
 differences of T_1. Q_P is extrapolated twice in the number of panels, which begins with
-10 up to delta = 2^-10, 90 up to 4 and 180 beyond. The table of
-source/interface/rarefied_gas.cc is the output of this script.
+10 up to delta = 2^-10, 90 up to 4 and 180 beyond. Below delta = 1e-4 the differences
+cancel; use the expansion in source/interface/rarefied_gas.cc there. The table in that file
+is the output of this script.
 """
 import sys
 
@@ -56,7 +57,10 @@ def extrapolated(delta, panels):
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    for delta in map(float, sys.argv[1:]):
+    deltas = [float(argument) for argument in sys.argv[1:]]
+    if not all(1e-4 <= delta < float("inf") for delta in deltas):
+        sys.exit("bgk_poiseuille.py: DELTA must be a number of at least 1e-4")
+    for delta in deltas:
         panels = 10 if delta <= 2.0**-10 else 90 if delta <= 4.0 else 180
         print(f"{delta:.9g} {extrapolated(delta, panels):.6f}")
 

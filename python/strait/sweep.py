@@ -36,7 +36,7 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
     `table` is the file that is read from each run, `output` a folder that keeps the runs,
     numbered from 1, where `force` allows to replace the results of other scenes, and `processes`
     the number that run side by side. Steps that fail are marked in the column status, as are
-    runs that fail altogether.
+    runs that fail altogether; runs without that file add no rows.
 
     >>> scene = Scene(contact=dict(grid_points=64), fluid=dict(enabled=False),
     ...               surface=dict(short_cut_off_wavelength=0.125))
@@ -63,6 +63,8 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
         tables = _run_in_processes(jobs, processes)
     else:
         tables = [_run(*job) for job in jobs]
+    if jobs and not any(tables):
+        raise FileNotFoundError(f"None of the runs has {table}.")
     return _under_each_other(points, tables)
 
 
@@ -74,7 +76,10 @@ def _run(path: str, overrides: list[str], folder: os.PathLike | None, table: str
         if not hasattr(error, "run"):
             return Table({"status": np.array(["failed"])})
         run = error.run
-    result = run.csv(table)
+    try:
+        result = run.csv(table)
+    except FileNotFoundError:  # for one without a jump, say
+        result = Table({})
     _core.wait_for_all_ranks()  # before a temporary folder is removed
     if run.keeper:
         run.keeper.remove()  # here, as a Ctrl-C in a finaliser would be lost

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/interface/rarefied_gas.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
@@ -12,10 +13,11 @@ namespace strait
 {
   namespace
   {
-    // Q_P by the BGK equation at δ = 2^(first_exponent + k/2).
+    // Q_P by the BGK equation at δ = 2^(first_exponent + k/2); the first entry by the
+    // expansion below it.
     constexpr double                 first_exponent = -13.;
     constexpr std::array<double, 36> solution       = {
-            {5.445357, 5.250961, 5.056922, 4.863336, 4.670323, 4.478037, 4.286667, 4.096450,
+            {5.445317, 5.250961, 5.056922, 4.863336, 4.670323, 4.478037, 4.286667, 4.096450,
              3.907663, 3.720658, 3.535839, 3.353689, 3.174770, 2.999726, 2.829287, 2.664272,
              2.505582, 2.354204, 2.211201, 2.077721, 1.955002, 1.844397, 1.747428, 1.665866,
              1.601874, 1.558234, 1.538678, 1.548410, 1.594857, 1.688788, 1.845900, 2.089040,
@@ -41,8 +43,13 @@ namespace strait
       return result;
     }();
     const double place = 2. * (std::log2(delta) - first_exponent);
-    if (place <= 0.) // molecular
-      return solution.front() - std::log(2.) / std::sqrt(M_PI) * .5 * place;
+    if (place <= 0.) // two steps of iteration of the integral equation, from ψ = 1
+      {
+        using boost::math::double_constants::euler;
+        const double m       = 1. - 1.5 * euler - std::log(delta);
+        const double squared = m * m + m + 5. / 6. - M_PI * M_PI / 18.;
+        return (m + .5) / std::sqrt(M_PI) + delta * (1. / 3. + squared / M_PI);
+      }
     if (place >= solution.size() - 1.) // the expansion in 1/δ
       return delta / 6. + 1.016191 + (1.0653 - 2.1354 / delta) / delta;
     // The cubic through four neighbours of the excess, which has no more than one bend.

@@ -299,6 +299,14 @@ class Sweeps(unittest.TestCase):
             self.assertTrue((pathlib.Path(folder) / "2" / "leakage.csv").exists())
         self.assertTrue(np.all(table["critical_load_lower"] < table["critical_load_upper"]))
 
+    def test_runs_without_the_table_add_no_rows(self):
+        scene = strait.Scene({**SMALL, "Output/Pictures": False})
+        searches = {"Load programme/Find threshold": [False, True]}
+        table = strait.sweep(scene, searches, table="threshold.csv")
+        self.assertEqual(table["Load programme/Find threshold"].tolist(), [True])
+        with self.assertRaisesRegex(FileNotFoundError, "None of the runs has jumps.csv."):
+            strait.sweep(scene, [{}], table="jumps.csv")
+
     def test_results_of_another_scene_are_left_alone(self):
         scene = strait.Scene({**SMALL, "Load programme/Pressures": 0.1, "Output/Pictures": False})
         for processes in (1, 2):
