@@ -13,7 +13,7 @@ functions that are constant on panels, narrow ones at the walls; their integrals
 differences of T_1. Q_P is extrapolated twice in the number of panels, which begins with
 10 up to delta = 2^-10, 90 up to 4 and 180 beyond. Below delta = 1e-4 the differences
 cancel; use the expansion in source/interface/rarefied_gas.cc there. The table in that file
-is the output of this script.
+is the output of this script, but for its first entry, which is that of the expansion.
 """
 import sys
 
