@@ -17,6 +17,11 @@ namespace strait
     // spacing. Half of the patience gives up during that time; double of it makes more
     // meshes in vain where the grid is too coarse.
     constexpr std::size_t patience = 4;
+
+    // How much narrower a bracket is with hierarchical correction: by 2 to 3.5. Half of
+    // it makes meshes that correction would save, and finer ones than asked; double of it
+    // corrects in vain, and takes more meshes.
+    constexpr double usual_narrowing = 2.5;
   } // namespace
 
   ReynoldsSolver::ReynoldsSolver(const FluidParameters &fluid,
@@ -37,13 +42,22 @@ namespace strait
                       const double             tolerance_factor,
                       const unsigned long long most_unknowns)
   {
-    const double target = parameters.target_accuracy;
+    const double target = parameters.target_accuracy, wanted = tolerance_factor * target;
+    // Only elements of degree 1 are corrected.
+    const double narrowing    = parameters.element_degree == 1 ? usual_narrowing : 1.;
+    bool         is_corrected = false;
     Leakage      leakage;
     leakage.linear_error = accuracy().energy;
     widths.clear();
     while (true)
       {
         const bool solved = solve_on_mesh(leakage);
+        // Correction is half of the work and decides nothing while the bracket is far
+        // wider than any width that matters.
+        const double decisive = unknowns_needed == 0 ? std::max(wanted, target) : wanted;
+        const double plain_width = 1. - plain.lower / plain.upper;
+        is_corrected             = is_corrected || plain_width <= narrowing * decisive;
+        take_bounds(is_corrected ? corrected_bounds() : plain_bounds(), leakage);
         if (observer)
           observer(leakage);
         if (!(leakage.mesh_lower > 0 &&
@@ -61,23 +75,29 @@ namespace strait
         constexpr unsigned long long most_growth = 8;
         const bool                   is_enough =
           width <= target && leakage.unknowns > most_growth * unknowns_needed;
-        if (width <= tolerance_factor * target || is_enough ||
-            leakage.unknowns > most_unknowns)
-          break;
-        std::string reason = reason_to_stop(leakage);
-        if (reason.empty() && !refine(leakage, channel, tolerance_factor * target))
-          reason = "it takes more than Fluid/Maximum unknowns";
-        if (!reason.empty())
+        const bool is_done =
+          width <= wanted || is_enough || leakage.unknowns > most_unknowns;
+        std::string reason = is_done ? "" : reason_to_stop(leakage);
+        if (!is_done && reason.empty())
           {
-            // Missing only the smaller tolerance is no failure.
-            if (width > target)
+            const double excess =
+              1. - wanted / (is_corrected ? width : plain_width / narrowing);
+            if (refine(leakage.unknowns, channel, excess))
               {
-                leakage.reason = reason;
-                leakage.status = solved ? "flow-accuracy" : "flow-solver";
+                ++leakage.refinements;
+                continue;
               }
-            break;
+            reason = "it takes more than Fluid/Maximum unknowns";
           }
-        ++leakage.refinements;
+        if (!is_corrected)
+          take_bounds(corrected_bounds(), leakage);
+        // Missing only the smaller tolerance is no failure.
+        if (!is_done && leakage.relative_width() > target)
+          {
+            leakage.reason = reason;
+            leakage.status = solved ? "flow-accuracy" : "flow-solver";
+          }
+        break;
       }
     if (gap_field.gas() != nullptr)
       bound_rarefied(channel.paths.front(), leakage);
@@ -160,19 +180,31 @@ namespace strait
         leakage.iterations += outcome.iterations;
         solved = solved && outcome.converged;
       }
-    plain        = plain_bracket(pressure_problem, stream_problem);
-    double upper = plain.upper, lower = plain.lower;
-    // Hierarchical correction narrows the bracket that decides when to stop. The shares
-    // of cells in it are no guide for refinement: the correction closes a short cut
-    // through a coarse cell only after the pressure around has adjusted to it.
-    if (parameters.element_degree == 1)
-      {
-        HierarchicalCorrection correction(flow_mesh);
-        upper = correction.relax(pressure_problem, gap_field);
-        lower = 1. / correction.relax(stream_problem, gap_field);
-      }
-    leakage.mesh_upper = upper * std::abs(drive());
-    leakage.mesh_lower = lower * std::abs(drive());
+    plain            = plain_bracket(pressure_problem, stream_problem);
+    leakage.cells    = flow_mesh.triangulation().n_global_active_cells();
+    leakage.unknowns = pressure_problem.n_unknowns() + stream_problem.n_unknowns();
+    return solved;
+  }
+
+  std::array<double, 2>
+  ReynoldsSolver::corrected_bounds() const
+  {
+    // Correction narrows the bracket that decides when to stop. The shares of cells in it
+    // are no guide for refinement: the correction closes a short cut through a coarse
+    // cell only after the pressure around has adjusted to it.
+    if (parameters.element_degree != 1)
+      return plain_bounds();
+    const HierarchicalCorrection correction(flow_mesh);
+    const double                 upper = correction.relax(pressure_problem, gap_field);
+    return {{1. / correction.relax(stream_problem, gap_field), upper}};
+  }
+
+  void
+  ReynoldsSolver::take_bounds(const std::array<double, 2> &of_conductance,
+                              Leakage                     &leakage) const
+  {
+    leakage.mesh_lower = of_conductance[0] * std::abs(drive());
+    leakage.mesh_upper = of_conductance[1] * std::abs(drive());
     // A bound of an earlier mesh still holds, even if the solver fails on this one,
     // unless its cells were so coarse that it contradicts this one.
     const bool first = leakage.upper == 0;
@@ -191,9 +223,6 @@ namespace strait
                           ? leakage.upper
                           : std::sqrt(leakage.upper) * std::sqrt(leakage.lower);
     leakage.rate      = pressure_drop < 0 ? -best : best;
-    leakage.cells     = flow_mesh.triangulation().n_global_active_cells();
-    leakage.unknowns  = pressure_problem.n_unknowns() + stream_problem.n_unknowns();
-    return solved;
   }
 
   std::string
@@ -211,18 +240,17 @@ namespace strait
   }
 
   bool
-  ReynoldsSolver::refine(const Leakage &leakage,
-                         const Channel &channel,
-                         const double   wanted)
+  ReynoldsSolver::refine(const unsigned long long unknowns,
+                         const Channel           &channel,
+                         const double             excess)
   {
     // Each marked cell adds three; balancing the mesh adds a few more.
     const double affordable =
-      (static_cast<double>(parameters.maximum_unknowns) / leakage.unknowns - 1.) / 3.;
+      (static_cast<double>(parameters.maximum_unknowns) / unknowns - 1.) / 3.;
     auto &tria = flow_mesh.triangulation();
     if (parameters.uniform_refinement && affordable >= 1.)
       tria.set_all_refine_flags();
-    else if (parameters.uniform_refinement ||
-             !mark(channel, 1. - wanted / leakage.relative_width(), affordable))
+    else if (parameters.uniform_refinement || !mark(channel, excess, affordable))
       return false;
     tria.prepare_coarsening_and_refinement();
     pressure_problem.prepare_for_refinement();

@@ -263,9 +263,10 @@ namespace strait
                 found.opening.grid_error);
     }
 
-    // If the rounds take small fractions of each change, the leak rate is 5.81e-8 with a
-    // viscosity of 1, and there is no state on which contact and flow agree.
-    TEST(Coupled, TheBracketTakesInBothSidesOfAGapThatStaysAjar)
+    // With a Target accuracy of 0.001 or 0.002, contact and flow agree, on a leak rate of
+    // 6.310e-8 with a viscosity of 1. On a coarse mesh there is no state on which they
+    // do: the gap of the throat stays ajar.
+    TEST(Coupled, TheBracketTakesInWhatFinerMeshesFindForAGapThatStaysAjar)
     {
       Scene scene                    = held_open();
       scene.surface.seed             = 8;
@@ -277,8 +278,8 @@ namespace strait
         const Leakage &leakage = step.flow->leakage;
         EXPECT_EQ(leakage.status, "flow-accuracy");
         EXPECT_TRUE(step.state.fluid->converged);
-        EXPECT_LT(leakage.lower * scene.fluid.viscosity, 5.81e-8);
-        EXPECT_GT(leakage.upper * scene.fluid.viscosity, 5.81e-8);
+        EXPECT_LT(leakage.lower * scene.fluid.viscosity, 6.310e-8);
+        EXPECT_GT(leakage.upper * scene.fluid.viscosity, 6.310e-8);
         EXPECT_LT(leakage.relative_width(), .2);
       }));
     }

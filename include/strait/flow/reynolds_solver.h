@@ -7,6 +7,7 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <string>
@@ -132,16 +133,30 @@ namespace strait
      *  the last mesh. Also set the Knudsen number in the throat of @p path. */
     void bound_rarefied(const FlowPath &path, Leakage &leakage);
 
-    /** Update @p leakage on this mesh. @return whether the linear solver converged; the
-     *  bounds hold either way. */
+    /** Solve both problems on this mesh and count that in @p leakage. @return whether the
+     *  linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(Leakage &leakage);
+
+    /** The lower and upper bound of the conductance on this mesh. */
+    std::array<double, 2>
+    plain_bounds() const
+    {
+      return {{plain.lower, plain.upper}};
+    }
+
+    /** The same after hierarchical correction, for elements of degree 1. Collective. */
+    std::array<double, 2> corrected_bounds() const;
+
+    /** Update @p leakage by bounds of this mesh. */
+    void take_bounds(const std::array<double, 2> &of_conductance, Leakage &leakage) const;
 
     /** Record the width of the bracket. @return why another mesh would not pay; empty if
      *  it would. */
     std::string reason_to_stop(const Leakage &leakage);
 
-    /** @return false, without refining, if another mesh would not pay or not fit. */
-    bool refine(const Leakage &leakage, const Channel &channel, double wanted);
+    /** Refine a mesh of as many @p unknowns, see mark(). @return false, without refining,
+     *  if another mesh would not pay or not fit. */
+    bool refine(unsigned long long unknowns, const Channel &channel, double excess);
 
     /**
      * Mark cells to refine, at most the fraction @p affordable of all, if the part
