@@ -327,7 +327,7 @@ def main():
     elif options.folder:
         try:
             assess(options.folder)
-        except FileNotFoundError as error:
+        except (FileNotFoundError, NotADirectoryError) as error:
             sys.exit(f"whole_seal.py: there is no file {error.filename}; give the folder of a run "
                      "with Realisations.")
     else:

@@ -174,12 +174,15 @@ class Run:
 
 def main(arguments):
     """Print the table of a run."""
+    if arguments in (["--help"], ["-h"]):
+        print(__doc__)
+        return
     if len(arguments) != 1:
         sys.exit(__doc__)
     try:
         run = Run(arguments[0])
-    except OSError as error:
-        sys.exit(f"strait_results.py: {error}")
+    except (OSError, json.JSONDecodeError) as error:
+        sys.exit(f"strait_results.py: cannot read the results in {arguments[0]}: {error}")
     print(run.table)
 
 

@@ -80,6 +80,13 @@ class ReadsARun(unittest.TestCase):
                                  capture_output=True, check=False)
         self.assertEqual(missing.returncode, 1)
         self.assertRegex(missing.stderr, r"^strait_results\.py: .*leakage\.csv.*\n$")
+        (self.folder / "run.json").write_text('{"column_units": {', encoding="utf-8")
+        cut_off = subprocess.run([*script, str(self.folder)], text=True, capture_output=True,
+                                 check=False)
+        self.assertEqual(cut_off.returncode, 1)
+        self.assertRegex(cut_off.stderr, r"^strait_results\.py: cannot read .*\n$")
+        help_text = subprocess.run([*script, "--help"], text=True, capture_output=True, check=True)
+        self.assertIn("strait_results.py OUTPUT_DIR", help_text.stdout)
 
 
 if __name__ == "__main__":

@@ -281,6 +281,9 @@ class OfAFolder(unittest.TestCase):
         result = self.assess(str(self.folder / "none"))
         self.assertEqual(result.returncode, 1)
         self.assertRegex(result.stderr, r"^whole_seal.py: there is no file \S+/none/parameters.prm; ")
+        result = self.assess(__file__)
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"^whole_seal.py: there is no file \S+/parameters.prm; ")
 
     def test_a_seal_smaller_than_a_patch(self):
         self.write([[8., 2., 0.5]] * 4)
