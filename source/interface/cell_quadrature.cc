@@ -18,7 +18,7 @@ namespace strait
     // and the bounds are the same; with 4 points might miss a peak of 1/K that is 60
     // times as high as what they see. In an even part bends do not matter, and without
     // bends p + 1 points are enough, with an allowance. Half the excess over 1 gives the
-    // same; double of it makes brackets wider that are a few tenths of a percent wide.
+    // same; with double of it the allowance would be up to 4·10⁻⁴ of the integral.
     constexpr double trusted_ratio = 2.5, even_ratio = 1.1;
 
     // The allowance for p + 1 points, relative to the integral, over the square of the
