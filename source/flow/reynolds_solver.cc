@@ -57,7 +57,7 @@ namespace strait
         const double decisive = unknowns_needed == 0 ? std::max(wanted, target) : wanted;
         const double plain_width = 1. - plain.lower / plain.upper;
         is_corrected             = is_corrected || plain_width <= narrowing * decisive;
-        take_bounds(is_corrected ? corrected_bounds() : plain_bounds(), leakage);
+        take_bracket(is_corrected ? corrected_bracket() : plain, leakage);
         if (observer)
           observer(leakage);
         if (!(leakage.mesh_lower > 0 &&
@@ -90,7 +90,7 @@ namespace strait
             reason = "it takes more than Fluid/Maximum unknowns";
           }
         if (!is_corrected)
-          take_bounds(corrected_bounds(), leakage);
+          take_bracket(corrected_bracket(), leakage);
         // Missing only the smaller tolerance is no failure.
         if (!is_done && leakage.relative_width() > target)
           {
@@ -186,25 +186,26 @@ namespace strait
     return solved;
   }
 
-  std::array<double, 2>
-  ReynoldsSolver::corrected_bounds() const
+  Bracket
+  ReynoldsSolver::corrected_bracket() const
   {
+    if (parameters.element_degree != 1)
+      return plain;
     // Correction narrows the bracket that decides when to stop. The shares of cells in it
     // are no guide for refinement: the correction closes a short cut through a coarse
     // cell only after the pressure around has adjusted to it.
-    if (parameters.element_degree != 1)
-      return plain_bounds();
     const HierarchicalCorrection correction(flow_mesh);
-    const double                 upper = correction.relax(pressure_problem, gap_field);
-    return {{1. / correction.relax(stream_problem, gap_field), upper}};
+    Bracket                      corrected;
+    corrected.upper = correction.relax(pressure_problem, gap_field);
+    corrected.lower = 1. / correction.relax(stream_problem, gap_field);
+    return corrected;
   }
 
   void
-  ReynoldsSolver::take_bounds(const std::array<double, 2> &of_conductance,
-                              Leakage                     &leakage) const
+  ReynoldsSolver::take_bracket(const Bracket &bracket, Leakage &leakage) const
   {
-    leakage.mesh_lower = of_conductance[0] * std::abs(drive());
-    leakage.mesh_upper = of_conductance[1] * std::abs(drive());
+    leakage.mesh_lower = bracket.lower * std::abs(drive());
+    leakage.mesh_upper = bracket.upper * std::abs(drive());
     // A bound of an earlier mesh still holds, even if the solver fails on this one,
     // unless its cells were so coarse that it contradicts this one.
     const bool first = leakage.upper == 0;

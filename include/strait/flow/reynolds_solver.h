@@ -7,7 +7,6 @@
 
 #include <deal.II/lac/vector.h>
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <string>
@@ -137,18 +136,12 @@ namespace strait
      *  linear solver converged; the bounds hold either way. */
     bool solve_on_mesh(Leakage &leakage);
 
-    /** The lower and upper bound of the conductance on this mesh. */
-    std::array<double, 2>
-    plain_bounds() const
-    {
-      return {{plain.lower, plain.upper}};
-    }
+    /** The plain bracket after hierarchical correction, for elements of degree 1; without
+     *  contributions of cells. Collective. */
+    Bracket corrected_bracket() const;
 
-    /** The same after hierarchical correction, for elements of degree 1. Collective. */
-    std::array<double, 2> corrected_bounds() const;
-
-    /** Update @p leakage by bounds of this mesh. */
-    void take_bounds(const std::array<double, 2> &of_conductance, Leakage &leakage) const;
+    /** Update @p leakage by the @p bracket of this mesh. */
+    void take_bracket(const Bracket &bracket, Leakage &leakage) const;
 
     /** Record the width of the bracket. @return why another mesh would not pay; empty if
      *  it would. */
@@ -160,7 +153,7 @@ namespace strait
 
     /**
      * Mark cells to refine, at most the fraction @p affordable of all, if the part
-     * @p excess of the bracket's width (plain_bracket()) is too much: cells that
+     * @p excess > 0 of the bracket's width (plain_bracket()) is too much: cells that
      * contribute more to it than others, and cells on whose flow the two solutions
      * disagree by more than the part of the width that falls to one constriction of the
      * first path of @p channel. Return false if there are none, or if so few may be
