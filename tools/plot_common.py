@@ -26,7 +26,8 @@ def use_style():
 def save(figure, path):
     """Write a figure to a PNG file."""
     with replacing(path) as partial:
-        figure.savefig(partial, format="png")
+        # Level 4 takes half the time of the usual 6, for files that are 5 % larger.
+        figure.savefig(partial, format="png", pil_kwargs={"compress_level": 4})
 
 
 def with_unit(text, name, units):

@@ -2,6 +2,7 @@
 #include "seal.h"
 
 #include <strait/base/exceptions.h>
+#include <strait/base/parameter_table.h>
 #include <strait/run/guards.h>
 #include <strait/run/load_sweep.h>
 #include <strait/surface/make_surface.h>
@@ -128,12 +129,18 @@ namespace strait::python
     const Control result = {target,
                             inlet_pressure.value_or(scene.fluid.inlet_pressure),
                             slip_length.value_or(scene.fluid.slip_lengths.front())};
-    require(std::isfinite(result.inlet_pressure),
-            "The inlet pressure must be a finite number.");
+    const auto    check  = [](const char *name, const double number) {
+      require(has_usable_magnitude(number),
+              std::string(name) +
+                " must be a finite number, 0 or of a magnitude from 1e-30 to 1e30.");
+    };
+    check("The load or mean gap", target);
+    check("The inlet pressure", result.inlet_pressure);
+    check("The slip length", result.slip_length);
     require(!scene.fluid.is_gas || result.inlet_pressure >= 0.,
             "Fluid/State = gas needs absolute pressures, but the inlet pressure is "
             "negative.");
-    require(std::isfinite(result.slip_length) && result.slip_length <= 0.,
+    require(result.slip_length <= 0.,
             "The slip length must be a finite number of at most 0.");
     return result;
   }
@@ -238,8 +245,9 @@ namespace strait::python
     require_fluid();
     require(scene.programme.find_threshold,
             "A critical load needs Contact/Enabled and Contact/Control = load.");
-    require(std::isfinite(first.value_or(1.)) && first.value_or(1.) > 0.,
-            "The first load of a search must be a finite number above 0.");
+    require(has_usable_magnitude(first.value_or(1.)) && first.value_or(1.) > 0.,
+            "The first load of a search must be a finite number above 0, of a magnitude "
+            "from 1e-30 to 1e30.");
     const Use  use(*this);
     SealSearch search(scene, open(), layout, stage->domain(), log);
     search.after_probe = check_signals;

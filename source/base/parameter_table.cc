@@ -29,21 +29,16 @@ namespace strait
       return in && in.peek() == std::istringstream::traits_type::eof() && !vanishes;
     }
 
-    // Numbers other than 0 lie between this and its reciprocal: a conductivity g³/12η and
-    // the squares of what follows from it are then far from the limits of a double. Seals
-    // are within 1e±20 in any consistent units; with 1e±60 these squares underflow.
-    constexpr double largest_magnitude = 1e30;
-
-    bool
-    has_usable_magnitude(const double number)
-    {
-      const double magnitude = std::abs(number);
-      return number == 0. ||
-             (magnitude <= largest_magnitude && magnitude >= 1. / largest_magnitude);
-    }
-
     const char *const see_list = "; 'strait --parameters' lists all names.";
   } // namespace
+
+  bool
+  has_usable_magnitude(const double number)
+  {
+    const double magnitude = std::abs(number);
+    return number == 0. ||
+           (magnitude <= largest_magnitude && magnitude >= 1. / largest_magnitude);
+  }
 
   bool
   Range::read_number(const std::string &text, const bool is_integer, double &number) const

@@ -31,7 +31,8 @@ namespace strait
         "to all is added, or half of that from every fourth to every second point if "
         "that is more. Elsewhere it is three times that change if the change itself "
         "exceeds three times the estimate on every second point. `nan` where states "
-        "depend on the path, without `Output/Error budget` or `Contact/Zoom`; `inf` in a "
+        "depend on the path, without `Output/Error budget` or `Contact/Zoom`, and where "
+        "every second point is needed of an odd number or of fewer than 64; `inf` in a "
         "crease at the edges of a sphere's box or of a mirrored map, which only the "
         "spacing of the points lets close")
       .add(&Transition::contact_area,

@@ -124,10 +124,13 @@ class Seals(unittest.TestCase):
                      {"inlet_pressure": np.nan}):
             with self.subTest(what), self.assertRaisesRegex(strait.SceneError, "finite number"):
                 self.seal.control(.1, **what)
+        for load in (np.nan, -np.inf, 1e-40, 1e31):
+            with self.subTest(load), self.assertRaisesRegex(strait.SceneError, "finite number"):
+                self.seal.solve(load)
         gas = strait.Seal(self.scene.replace({"Fluid/State": "gas"}))
         with self.assertRaisesRegex(strait.SceneError, "absolute pressures"):
             gas.control(.1, inlet_pressure=-1.)
-        for first in (np.nan, np.inf, 0., -1.):
+        for first in (np.nan, np.inf, 0., -1., 1e-40):
             with self.subTest(first), self.assertRaisesRegex(strait.SceneError, "finite number"):
                 self.seal.find_transitions(first)
         self.assertLess(self.seal.flow(self.seal.solve(self.seal.control(.1, slip_length=-1e-3))

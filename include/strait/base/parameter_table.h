@@ -24,6 +24,14 @@ namespace strait
     return std::set<Value>(values.begin(), values.end()).size() != values.size();
   }
 
+  /** Numbers other than 0 lie between this and its reciprocal: a conductivity g³/12η and
+   *  the squares of what follows from it are then far from the limits of a double. Seals
+   *  are within 1e±20 in any consistent units; with 1e±60 these squares underflow. */
+  inline constexpr double largest_magnitude = 1e30;
+
+  /** Whether @p number is 0 or has such a magnitude; false for what is not finite. */
+  bool has_usable_magnitude(double number);
+
   // The values that a parameter of the scene may take. Each of these classes writes a
   // value with text(), reads it with read(), which returns false for a value that is not
   // allowed, and describes in words() what is: for integers or not, for a list or not.

@@ -2,6 +2,7 @@
 #include <strait/base/build_info.h>
 #include <strait/base/contact_parameters.h>
 #include <strait/base/exceptions.h>
+#include <strait/base/parameter_table.h>
 #include <strait/surface/readers/height_map.h>
 
 #include <boost/algorithm/string.hpp>
@@ -48,11 +49,8 @@ namespace strait
     void
     check_values(const HeightMap &map, const std::string &file)
     {
-      // No height in any unit; the largest that a scene may state. Half and double of it
-      // make no difference: marks of missing points are larger by far.
-      constexpr double largest = 1e30;
       for (std::size_t i = 0; i < map.values.size(); ++i)
-        if (std::abs(map.values[i]) > largest)
+        if (std::abs(map.values[i]) > largest_magnitude)
           reject_height_map(file,
                             "has " +
                               std::string(std::isinf(map.values[i])
