@@ -60,7 +60,10 @@ def draw_contact(runs):
     """The contact (dark) in the last fields of each run."""
     figure = Figure(figsize=(3.4 * len(runs), 3.8), layout="constrained")
     for axes, (label, folder) in zip(figure.subplots(1, len(runs), squeeze=False)[0], runs):
-        with h5py.File(list(numbered(folder, "fields-*.h5").values())[-1]) as file:
+        fields = list(numbered(folder, "fields-*.h5").values())
+        if not fields:
+            raise SystemExit(f"{folder} holds no fields-STEP.h5: run it with Output/Fields = last.")
+        with h5py.File(fields[-1]) as file:
             gap = file["gap"][()]
             size = (0, file.attrs["lx"], 0, file.attrs["ly"])
         axes.imshow(gap > 0, cmap="gray", origin="lower", extent=size, vmin=-0.2)

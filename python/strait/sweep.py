@@ -35,7 +35,8 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
     The first columns are the parameters, with the value of the scene where a mapping has none.
     `table` is the file that is read from each run, `output` a folder that keeps the runs,
     numbered from 1, where `force` allows to replace the results of other scenes, and `processes`
-    the number that run side by side. Steps that fail are marked in the column status, as are
+    the number that run side by side. A column whose unit differs between the runs states none;
+    its numbers are in the units of each run's scene. Steps that fail are marked in the column status, as are
     runs that fail altogether; runs without that file add no rows.
 
     >>> scene = Scene(contact=dict(grid_points=64), fluid=dict(enabled=False),
@@ -63,7 +64,8 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
         tables = _run_in_processes(jobs, processes)
     else:
         tables = [_run(*job) for job in jobs]
-    if jobs and not any(tables):
+    # A run that failed altogether tells nothing of the name.
+    if not all(tables) and not any(len(columns) > 1 for columns in tables):
         raise FileNotFoundError(f"None of the runs has {table}.")
     return _under_each_other(points, tables)
 
@@ -91,7 +93,10 @@ def _under_each_other(points: list[dict[str, Any]], tables: list[Table]) -> Tabl
     columns: dict[str, list[Any]] = {name: [] for point in points for name in point}
     columns.update((name, []) for table in tables for name in table)
     for point, table in zip(points, tables):
-        units.update(table.units)
+        for name in table:
+            unit = table.units.get(name, "")
+            if units.setdefault(name, unit) != unit:
+                units[name] = ""
         for name, values in columns.items():
             if name in table:
                 values.extend(table[name])

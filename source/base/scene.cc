@@ -75,7 +75,7 @@ namespace strait
     scene.entries                      = entries;
     scene.resolved                     = table.scene(false);
     scene.oversights                   = table.without_effect();
-    scene.surface.map.length_in_metres = metres_in(scene.units.length).value_or(1.);
+    scene.surface.map.length_in_metres = metres_in(scene.units.length);
     return scene;
   }
 

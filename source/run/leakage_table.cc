@@ -104,11 +104,11 @@ namespace strait
           "K_eff)^(1/3) with K_eff = Q L/(W Δp); in a mesh ([meshes](meshes.md)) K_eff = "
           "Q/(S Δp), where Q = S K Δp at a uniform K. With `Fluid/Rarefaction` it is the "
           "gap of smooth plates through which as much of the rarefied gas leaks, which "
-          "is smaller")
+          "is smaller; `nan` without a pressure difference")
         .add([](const Step &step) { return step.place_of_bottleneck()[0]; },
              "worst_constriction_x [length]: x of the narrowest grid point on the path "
              "of least resistance ∫ds/g³; at the outlet Lx, as that of the copy of x = "
-             "0; `nan` if nothing percolates")
+             "0; `nan` if nothing percolates or there is no pressure difference")
         .add([](const Step &step) { return step.place_of_bottleneck()[1]; },
              "worst_constriction_y [length]: y of this point, likewise")
         .add(

@@ -137,8 +137,10 @@ namespace strait
       SlabField           owner(in.gap.layout_pointer());
       std::copy(fluid.owner.begin(), fluid.owner.end(), owner.begin());
       const RowsAround rows(owner);
-      // Areas, circumferences, volumes lost before being cut off, ∫p.
-      std::vector<double> sums(3 * n + 1);
+      // Areas, circumferences, volumes lost before being cut off; then of all open
+      // points, which those of a region pressed shut are not: area, ∫p, area of guessed
+      // fluid.
+      std::vector<double> sums(3 * n + 3);
       for (int row = 0, k = 0; row < in.gap.layout().n_rows(); ++row)
         for (int ix = 0; ix < nx; ++ix, ++k)
           if (const double mine = owner[k]; mine >= 0)
@@ -152,7 +154,12 @@ namespace strait
               if (gap_before != nullptr && in.region_of_point[k] >= n_known)
                 sums[2 * n + region] +=
                   cell * (std::max((*gap_before)[k], 0.) - in.gap[k]);
-              sums[3 * n] += cell * pressures[in.region_of_point[k]];
+              if (in.labels[k] >= 0)
+                {
+                  sums[3 * n] += cell;
+                  sums[3 * n + 1] += cell * pressures[in.region_of_point[k]];
+                  sums[3 * n + 2] += fluid.regions[region].is_guess ? cell : 0.;
+                }
             }
       sum_in_place(in.gap.layout().communicator(), sums);
       for (std::size_t p = 0; p < n; ++p)
@@ -161,8 +168,6 @@ namespace strait
           region.compliance =
             compliance * sums[p] * sums[p] /
             (contact_modulus * std::max(sums[n + p], std::min(grid.dx(), grid.dy())));
-          fluid.area += sums[p];
-          fluid.guessed_area += region.is_guess ? sums[p] : 0.;
           TrappedRegion fuller = region;
           fuller.volume += std::abs(sums[2 * n + p]);
           if (gap_before != nullptr)
@@ -171,9 +176,9 @@ namespace strait
               (pressure_to_hold(parameters, fuller, region.volume, region.pressure) -
                region.pressure);
         }
-      fluid.pressure = fluid.area > 0 ? sums[3 * n] / fluid.area : 0.;
-      fluid.area /= grid.lx * grid.ly;
-      fluid.guessed_area /= grid.lx * grid.ly;
+      fluid.pressure     = sums[3 * n] > 0 ? sums[3 * n + 1] / sums[3 * n] : 0.;
+      fluid.area         = sums[3 * n] / (grid.lx * grid.ly);
+      fluid.guessed_area = sums[3 * n + 2] / (grid.lx * grid.ly);
     }
   } // namespace
 

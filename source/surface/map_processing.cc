@@ -31,7 +31,7 @@ namespace strait
                             "', which is no length: set Surface/" +
                             (what == "height" ? "Height" : "Lateral") +
                             " unit to what 1 in the file means, such as 63.1 nm.");
-      return *unit.metres / parameters.length_in_metres;
+      return *unit.metres / parameters.length_in_metres.value_or(1.);
     }
 
     struct Roughness
@@ -50,13 +50,14 @@ namespace strait
       const auto at = [&map](const int ix, const int iy) {
         return map.values[static_cast<std::size_t>(iy) * map.nx + ix];
       };
+      const double origin = at(0, 0); // heights far from 0 would cancel
       double sum = 0, squares = 0, steps[2] = {}, seam[2] = {}; // along x and along y
       for (int iy = 0; iy < ny; ++iy)
         for (int ix = 0; ix < nx; ++ix)
           {
             const double here = at(ix, iy);
-            sum += here;
-            squares += here * here;
+            sum += here - origin;
+            squares += std::pow(here - origin, 2);
             (ix > 0 ? steps : seam)[0] += std::pow(here - at((ix + nx - 1) % nx, iy), 2);
             (iy > 0 ? steps : seam)[1] += std::pow(here - at(ix, (iy + ny - 1) % ny), 2);
           }
@@ -140,6 +141,12 @@ namespace strait
       reject_height_map(map.file,
                         "states a size with a unit, but no unit of its heights: set "
                         "Surface/Height unit.");
+    const bool has_height_unit = height && parameters.height_unit != "scene";
+    const bool has_size_unit   = lateral && parameters.lateral_unit != "scene";
+    if (has_height_unit && !has_size_unit && !parameters.length_in_metres)
+      reject_height_map(map.file,
+                        "has heights in a unit of length, but nothing says in which one "
+                        "its size is: set Units/Length to the unit of Surface/Size.");
     for (double &value : map.values)
       value *= height.value_or(1.);
     if (map.size)

@@ -27,7 +27,9 @@ namespace strait
         if (map.size)
           size = scene_pair(surface, n * (*map.size)[0], n * (*map.size)[1]);
         // Without Units/Length, lengths of a map with units are converted to metres.
-        if (map.lateral_unit.metres && surface.map.lateral_unit.empty())
+        const std::string &lateral = surface.map.lateral_unit;
+        if (map.size &&
+            (lateral.empty() ? map.lateral_unit.metres.has_value() : lateral != "scene"))
           unit = "m";
       });
       return {{"Size", broadcast(MPI_COMM_WORLD, size)},

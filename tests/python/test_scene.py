@@ -198,6 +198,13 @@ class Runs(unittest.TestCase):
         table = strait.sweep(scene, [{}], table="ensemble.csv")
         self.assertEqual(table.units["critical_load_lower"], "MPa")
 
+    def test_units_that_differ_between_runs(self):
+        scene = strait.Scene({**SMALL, "Load programme/Pressures": 0.1, "Fluid/Enabled": False,
+                              "Units/Pressure": "MPa", "Units/Time": "s", "Surface/Size": 1,
+                              "Output/Pictures": False})
+        table = strait.sweep(scene, {"Units/Length": ["mm", "um", "mm"]})
+        self.assertEqual((table.units["pressure"], table.units["mean_gap"]), ("MPa", ""))
+
     def test_fields_of_the_last_load_that_no_state_has(self):
         """Fluid that carries the load parts the walls; the run says that there are no fields."""
         scene = strait.Scene({**SMALL, "Fluid/Wall feedback/Enabled": True, "Output/Fields": "last",
@@ -306,6 +313,12 @@ class Sweeps(unittest.TestCase):
         self.assertEqual(table["Load programme/Find threshold"].tolist(), [True])
         with self.assertRaisesRegex(FileNotFoundError, "None of the runs has jumps.csv."):
             strait.sweep(scene, [{}], table="jumps.csv")
+        failed = strait.Table({"status": np.array(["failed"])})
+        for others in ([], [failed]):
+            with unittest.mock.patch.object(sys.modules["strait.sweep"], "_run",
+                                            side_effect=[strait.Table({}), *others]), \
+                    self.assertRaisesRegex(FileNotFoundError, "None of the runs has leak.csv."):
+                strait.sweep(scene, [{}] * (1 + len(others)), table="leak.csv")
 
     def test_results_of_another_scene_are_left_alone(self):
         scene = strait.Scene({**SMALL, "Load programme/Pressures": 0.1, "Output/Pictures": False})

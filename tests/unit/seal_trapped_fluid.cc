@@ -211,6 +211,10 @@ namespace strait
       ASSERT_EQ(still.regions.size(), 2U);
       EXPECT_EQ(still.regions[1].volume, 4.);
       EXPECT_EQ(still.owner, two.owner);
+      EXPECT_GT(two.area, 0.);
+      EXPECT_EQ(still.area, 0.); // no point is open
+      EXPECT_EQ(still.guessed_area, 0.);
+      EXPECT_EQ(still.pressure, 0.);
     }
   } // namespace
 } // namespace strait

@@ -98,6 +98,27 @@ namespace
     const auto map = read_map(content);
     EXPECT_DOUBLE_EQ(map.lateral_unit.metres.value(), 1e-6);
     EXPECT_DOUBLE_EQ(map.height_unit.metres.value(), 1e-6);
+    // Likewise, a mark of missing points that is a text.
+    const std::string text_as_mark =
+      replaced(canonical_map("micrometre"),
+               attribute("\4", "unit") + "\n" + "micrometre" + padding,
+               attribute("\n", "_FillValue" + padding) + "\2" + "um" + padding);
+    EXPECT_TRUE(mentions(complaint_of_map(text_as_mark), "_FillValue that is not one"));
+  }
+
+  TEST(NetcdfReader, TwoUnits)
+  {
+    // The integer 1 for periodic becomes a second unit of the coordinates.
+    const std::string one("\0\0\0\bperiodic\0\0\0\4\0\0\0\1\0\0\0\1", 24);
+    const auto        unit = [](const std::string &text) {
+      return std::string("\0\0\0\5units\0\0\0\0\0\0\2\0\0\0\2", 20) + text +
+             std::string(2, '\0');
+    };
+    const auto with = [&](const std::string &text) {
+      return replaced(canonical_map(), one, unit(text));
+    };
+    EXPECT_TRUE(mentions(complaint_of_map(with("um")), "two units, 'nm' and 'um'"));
+    EXPECT_DOUBLE_EQ(read_map(with("nm")).lateral_unit.metres.value(), 1e-9);
   }
 
   TEST(NetcdfReader, OtherNames)

@@ -71,9 +71,18 @@ namespace
       3 * 63.1e-9);
     EXPECT_DOUBLE_EQ(convert(nothing,
                              nm,
-                             [](MapParameters &p) { p.lateral_unit = "scene"; })
+                             [](MapParameters &p) {
+                               p.lateral_unit     = "scene";
+                               p.length_in_metres = 1e-3;
+                             })
                        .size->at(0),
                      2.);
+    // Which unit the scene's is must be known for heights that have one.
+    EXPECT_TRUE(
+      mentions(input_error([&]() {
+                 convert(nothing, nm, [](MapParameters &p) { p.lateral_unit = "scene"; });
+               }),
+               "set Units/Length"));
     // A lateral unit is refused for a map without a size, unless there is a second map.
     const auto sizeless = [&](const std::string &second_file) {
       HeightMap     map = sampled(2, 2, [](double, double) { return 3.; });

@@ -70,6 +70,10 @@ class Comparison(unittest.TestCase):
         """The fields of the last step, not of the last name in the alphabet."""
         axes = plot_adhesion.draw_contact(self.runs).axes
         self.assertEqual(axes[0].get_title(), "long: 75.0 %")
+        for fields in self.runs[0][1].glob("fields-*.h5"):
+            fields.unlink()
+        with self.assertRaisesRegex(SystemExit, "holds no fields-STEP.h5"):
+            plot_adhesion.draw_contact(self.runs)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace strait
@@ -48,8 +49,8 @@ namespace strait
     double             shortest_wavelength = 0.; // 0: no filter
     double             longest_wavelength  = 0.; // 0: no filter
 
-    /** The scene's unit of length, from the section Units. */
-    double length_in_metres = 1.;
+    /** The scene's unit of length, from the section Units; empty: not stated. */
+    std::optional<double> length_in_metres;
 
     void bind(ParameterSection section);
     void check() const;

@@ -26,9 +26,9 @@ namespace strait
     std::vector<float> owner; // of each local grid point: a region's number, or these
     std::vector<TrappedRegion> regions;
 
-    double area         = 0.; // of all regions over the nominal area
-    double guessed_area = 0.; // of those whose mass was unknown
-    double pressure     = 0.; // mean over their area
+    double area         = 0.; // of the open points of all regions over the nominal area
+    double guessed_area = 0.; // of those whose mass was unknown, likewise
+    double pressure     = 0.; // mean over this area
 
     /** By how much the mean pressure on the walls may be off, as it is not known when,
      *  within the last step, fluid was cut off. */

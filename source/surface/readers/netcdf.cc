@@ -79,14 +79,20 @@ namespace strait
         return attribute.number == 1. || word == "true" || word == "yes" || word == "1";
       }
 
-      /** The unit; empty if none is stated. */
+      /** The unit; empty if none is stated. Throws InputError about @p file if two units
+       *  of different lengths are. */
       std::string
-      unit() const
+      unit(const std::string &file) const
       {
+        std::string unit;
         for (const char *name : {"unit", "units", "length_unit"})
-          if (const std::string &text = (*this)[name].text; !text.empty())
-            return text;
-        return {};
+          if (const std::string &text = (*this)[name].text; unit.empty())
+            unit = text;
+          else if (!text.empty() &&
+                   parse_length_unit(text).metres != parse_length_unit(unit).metres)
+            reject_for_import(file,
+                              "states two units, '" + unit + "' and '" + text + "'");
+        return unit;
       }
     };
 
@@ -260,7 +266,7 @@ namespace strait
                           "has coordinates '" + name +
                             "' that do not rise in steps of its length");
       const bool is_span = std::abs(length - rise) <= .01 * step;
-      return is_span || (!stated && !variable.unit().empty()) ? n * step : stated;
+      return is_span || (!stated && !variable.unit(file).empty()) ? n * step : stated;
     }
 
     /** Read the sides from the coordinate variables; none if one of them is unknown. */
@@ -275,11 +281,12 @@ namespace strait
       const std::optional<double> ly = side_along(file, header, name_y);
       if (!lx || !ly)
         return;
-      const Variable &x = header.variables.at(name_x), &y = header.variables.at(name_y);
-      if (x.unit() != y.unit())
+      const Variable   &x = header.variables.at(name_x), &y = header.variables.at(name_y);
+      const std::string unit = x.unit(file);
+      if (unit != y.unit(file))
         reject_for_import(file, "states different units for its sides");
       map.size         = {{*lx, *ly}};
-      map.lateral_unit = parse_length_unit(x.unit());
+      map.lateral_unit = parse_length_unit(unit);
       map.is_periodic  = x.says("periodic") && y.says("periodic");
     }
 
@@ -316,6 +323,8 @@ namespace strait
     const Dimension    &outer      = header.dimensions[heights.dimensions[0]];
     const Dimension    &inner      = header.dimensions[heights.dimensions[1]];
     const bool          x_is_outer = outer.name == "x" || outer.name == "X";
+    if (heights.attributes.count("_FillValue") > 0 && !heights["_FillValue"].number)
+      reject_for_import(file, "has a _FillValue that is not one number");
     // In the precision of the stored values, whatever that of the attribute is.
     const double stated = heights["_FillValue"].number.value_or(usual_fill);
     const double fill  = heights.type == type_float ? static_cast<float>(stated) : stated;
@@ -331,7 +340,7 @@ namespace strait
                                  bytes_of(heights.type),
                                  value});
     const std::string x    = x_is_outer ? outer.name : inner.name;
-    std::string       unit = heights.unit();
+    std::string       unit = heights.unit(file);
     // In files of contact.engineering, the coordinates state the unit of all lengths.
     if (const auto found = header.variables.find(x);
         unit.empty() && found != header.variables.end())
