@@ -381,6 +381,42 @@ class Survival(unittest.TestCase):
             self.assertEqual(process.wait(timeout=10), -signal.SIGINT)
         os.close(screen)
 
+    @staticmethod
+    def wait_for_script(process, name):
+        """Wait until the run has started a script, and this the interpreter."""
+        while process.poll() is None:
+            for path in glob.glob("/proc/[0-9]*/cmdline"):
+                try:
+                    with open(path, "rb") as file:
+                        words = file.read().decode(errors="replace").split("\0")
+                    if (os.getpgid(int(path.split("/")[2])) == process.pid and
+                            "python" in words[0] and words[1].endswith("/" + name)):
+                        return
+                except (OSError, IndexError):  # it has just ended
+                    pass
+            time.sleep(0.002)
+
+    def test_interrupted_in_a_script(self):
+        """Ctrl-C reaches scripts as well; what has begun is completed."""
+        scene = self.scene(ROUGH.replace("Pictures = false", "Pictures = true") + """
+subsection Load programme
+  set Pressures = 0.05
+  set Find threshold = true
+  set Reduced loads = 0.3, 0.2
+  set Largest reduced load of fits = 0.3
+end
+""")
+        with self.start(scene, self.path("output"), start_new_session=True) as process:
+            for script, number in (("fit.py", signal.SIGINT), ("plot.py", signal.SIGTERM)):
+                self.wait_for_script(process, script)
+                self.assertIsNone(process.poll())
+                os.killpg(process.pid, number)
+            message = process.communicate(timeout=120)[1]
+        self.assertNotIn("failed", message)
+        self.assertEqual(process.returncode, 0, message)
+        for name in ("fit.csv", "leakage.png", "picture-1.png"):
+            self.assertTrue(os.path.exists(self.path("output/" + name)), name)
+
     def wait_for_probes(self, process, output, number):
         """Wait until the checkpoint has been rewritten this many times."""
         path = os.path.join(output, "checkpoint")

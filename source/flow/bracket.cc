@@ -186,7 +186,11 @@ namespace strait
     if (!channel.paths.empty())
       n_places =
         static_cast<double>(divide_into_constrictions(channel.paths.front().gaps).size());
-    const double most_disputed = 1. / n_places * (1. - plain.lower / plain.upper);
+    // Where that place is wide, several cells side by side bar it, each of a part of the
+    // flow. With half of their number, all others may be refined in vain, tenfold, until
+    // the last of them is found; with double of it more cells are refined than matter.
+    constexpr double n_beside  = 3.;
+    const double most_disputed = (1. - plain.lower / plain.upper) / (n_beside * n_places);
     const dealii::Vector<float> disputed = disputed_flows(channel);
     unsigned long long          n_marked = 0;
     for (const auto &cell : tria.active_cell_iterators())

@@ -22,6 +22,19 @@ namespace strait
     // it makes meshes that correction would save, and finer ones than asked; double of it
     // corrects in vain, and takes more meshes.
     constexpr double usual_narrowing = 2.5;
+
+    // More accuracy than the target must not cost more than this many times the unknowns
+    // that the target took. Half of it ends the search for a narrower bracket earlier,
+    // double of it makes it up to twice as expensive.
+    constexpr unsigned long long most_growth = 8;
+
+    /** Whether the bounds enclose a leak rate, up to rounding. */
+    bool
+    is_bracket(const Leakage &leakage)
+    {
+      return leakage.mesh_lower > 0 &&
+             leakage.mesh_lower <= leakage.mesh_upper * (1 + noise_of_bounds);
+    }
   } // namespace
 
   ReynoldsSolver::ReynoldsSolver(const FluidParameters &fluid,
@@ -60,8 +73,7 @@ namespace strait
         take_bracket(is_corrected ? corrected_bracket() : plain, leakage);
         if (observer)
           observer(leakage);
-        if (!(leakage.mesh_lower > 0 &&
-              leakage.mesh_lower <= leakage.mesh_upper * (1 + noise_of_bounds)))
+        if (!is_bracket(leakage))
           {
             leakage.status = "flow-bracket";
             break;
@@ -69,14 +81,9 @@ namespace strait
         const double width = leakage.relative_width();
         if (unknowns_needed == 0 && width <= target)
           unknowns_needed = leakage.unknowns;
-        // More accuracy than the target must not cost too many times the unknowns that
-        // the target took. Half of it ends the search for a narrower bracket earlier,
-        // double of it makes it up to twice as expensive.
-        constexpr unsigned long long most_growth = 8;
-        const bool                   is_enough =
-          width <= target && leakage.unknowns > most_growth * unknowns_needed;
         const bool is_done =
-          width <= wanted || is_enough || leakage.unknowns > most_unknowns;
+          width <= wanted || leakage.unknowns > most_unknowns ||
+          (width <= target && leakage.unknowns > most_growth * unknowns_needed);
         std::string reason = is_done ? "" : reason_to_stop(leakage);
         if (!is_done && reason.empty())
           {

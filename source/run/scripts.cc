@@ -36,8 +36,11 @@ namespace strait
       const std::string script = find_script(name);
       if (script.empty())
         return {false, "the script " + name + " was not found"};
-      // An interpreter that inherits MPI's variables may believe it is a rank.
+      // Signals that stop a run let it complete what it has begun, its pictures as well;
+      // a terminal sends Ctrl-C to scripts too. An interpreter that inherits MPI's
+      // variables may believe it is a rank.
       const std::string command =
+        std::string("trap '' INT TERM USR1; ") +
         (input.empty() ? "" : "printf %s " + quoted(input) + " | ") +
         "env -u OMPI_COMM_WORLD_SIZE " + quoted(python_interpreter) + " " +
         quoted(script) + " " + quoted(argument) + " 2>&1";
@@ -88,7 +91,10 @@ namespace strait
   {
     const ScriptResult result = run_script("whole_seal.py", scene.output.directory);
     if (!result.succeeded)
-      throw ComputationError(result.said);
+      throw ComputationError(result.said.empty()
+                               ? "whole_seal.py was killed; its results "
+                                 "can be made with --resume."
+                               : result.said);
     log.line(result.said);
   }
 
