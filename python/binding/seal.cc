@@ -18,6 +18,17 @@
 
 namespace strait::python
 {
+  namespace
+  {
+    /** Throw InputError unless a scene could state @p number, which has this @p name. */
+    void
+    require_usable(const std::string &name, const double number)
+    {
+      require(has_usable_magnitude(number),
+              name + " must be a finite number, 0 or of a magnitude from 1e-30 to 1e30.");
+    }
+  } // namespace
+
   Seal::Seal(const SceneSource          &source,
              const std::optional<Array> &array,
              const py::object           &comm)
@@ -129,14 +140,9 @@ namespace strait::python
     const Control result = {target,
                             inlet_pressure.value_or(scene.fluid.inlet_pressure),
                             slip_length.value_or(scene.fluid.slip_lengths.front())};
-    const auto    check  = [](const char *name, const double number) {
-      require(has_usable_magnitude(number),
-              std::string(name) +
-                " must be a finite number, 0 or of a magnitude from 1e-30 to 1e30.");
-    };
-    check("The load or mean gap", target);
-    check("The inlet pressure", result.inlet_pressure);
-    check("The slip length", result.slip_length);
+    require_usable("The load or mean gap", target);
+    require_usable("The inlet pressure", result.inlet_pressure);
+    require_usable("The slip length", result.slip_length);
     require(!scene.fluid.is_gas || result.inlet_pressure >= 0.,
             "Fluid/State = gas needs absolute pressures, but the inlet pressure is "
             "negative.");
@@ -245,9 +251,9 @@ namespace strait::python
     require_fluid();
     require(scene.programme.find_threshold,
             "A critical load needs Contact/Enabled and Contact/Control = load.");
-    require(has_usable_magnitude(first.value_or(1.)) && first.value_or(1.) > 0.,
-            "The first load of a search must be a finite number above 0, of a magnitude "
-            "from 1e-30 to 1e30.");
+    require_usable("The first load of a search", first.value_or(1.));
+    require(first.value_or(1.) > 0.,
+            "The first load of a search must be a finite number above 0.");
     const Use  use(*this);
     SealSearch search(scene, open(), layout, stage->domain(), log);
     search.after_probe = check_signals;

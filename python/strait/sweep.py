@@ -36,8 +36,8 @@ def sweep(scene: Scene, parameters: Mapping[str, Iterable[Any]] | Iterable[Mappi
     `table` is the file that is read from each run, `output` a folder that keeps the runs,
     numbered from 1, where `force` allows to replace the results of other scenes, and `processes`
     the number that run side by side. A column whose unit differs between the runs states none;
-    its numbers are in the units of each run's scene. Steps that fail are marked in the column status, as are
-    runs that fail altogether; runs without that file add no rows.
+    its numbers are in the units of each run's scene. Steps that fail are marked in the column
+    status, as are runs that fail altogether; runs without that file add no rows.
 
     >>> scene = Scene(contact=dict(grid_points=64), fluid=dict(enabled=False),
     ...               surface=dict(short_cut_off_wavelength=0.125))

@@ -155,9 +155,10 @@ namespace strait
      * Mark cells to refine, at most the fraction @p affordable of all, if the part
      * @p excess > 0 of the bracket's width (plain_bracket()) is too much: cells that
      * contribute more to it than others, and cells on whose flow the two solutions
-     * disagree by more than the part of the width that falls to one constriction of the
-     * first path of @p channel. Return false if there are none, or if so few may be
-     * marked that another mesh does not pay; nothing is marked then. Collective.
+     * disagree by more than the part of the width that falls to one of several cells side
+     * by side at one constriction of the first path of @p channel. Return false if there
+     * are none, or if so few may be marked that another mesh does not pay; nothing is
+     * marked then. Collective.
      */
     bool mark(const Channel &channel, double excess, double affordable);
 
