@@ -2,6 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/files.h>
 #include <strait/run/field_output.h>
+#include <strait/run/hdf5_file.h>
 
 #include <deal.II/base/hdf5.h>
 
@@ -206,12 +207,13 @@ namespace strait
                     static_cast<std::uintmax_t>(step.state.gap().grid().n_points()) *
                       (3 * sizeof(double) + sizeof(int)),
                     comm);
-    dealii::HDF5::File file(name, dealii::HDF5::File::FileAccessMode::create, comm);
-    if (is_simulated)
-      write_levels(directory, file, step);
-    else
-      file.set_attribute("nominal_pressure", step.theory->pressure);
-    if (step.theory)
-      write_gap_distributions(file, *step.theory, comm);
+    write_hdf5_file(name, comm, [&](dealii::HDF5::File &file) {
+      if (is_simulated)
+        write_levels(directory, file, step);
+      else
+        file.set_attribute("nominal_pressure", step.theory->pressure);
+      if (step.theory)
+        write_gap_distributions(file, *step.theory, comm);
+    });
   }
 } // namespace strait

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 namespace strait
@@ -77,7 +78,13 @@ namespace strait
     const std::uintmax_t bytes_per_cell =
       30 * dofs.get_fe().degree * dofs.get_fe().degree;
     require_space(name + ".vtu", bytes_per_cell * tria.n_global_active_cells(), comm);
-    out.write_vtu_in_parallel(name + ".vtu", comm);
+    if (n_ranks_in(comm) > 1)
+      out.write_vtu_in_parallel(name + ".vtu", comm);
+    else // without MPI-IO, see write_hdf5_file()
+      {
+        std::ofstream file(name + ".vtu");
+        out.write_vtu(file);
+      }
     run_on_root(comm, [&]() {
       require_end(name + ".vtu", "</VTKFile>\n");
       std::ostringstream record;

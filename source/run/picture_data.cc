@@ -5,6 +5,7 @@
 #include <strait/flow/seal_mesh.h>
 #include <strait/flow/solution_on_grid.h>
 #include <strait/run/field_output.h>
+#include <strait/run/hdf5_file.h>
 
 #include <deal.II/base/hdf5.h>
 
@@ -202,12 +203,13 @@ namespace strait
       directory + "/picture-" + std::to_string(step.number) + ".h5";
     require_space(path, fields.size() * fields.at("gap").size() * sizeof(float), comm);
     run_on_root(comm, [&]() {
-      dealii::HDF5::File file(path, dealii::HDF5::File::FileAccessMode::create);
-      for (const auto &[name, values] : fields)
-        write_dataset(file, name, n_columns, values);
-      write_outline(file, step);
-      write_window(file, step);
-      write_attributes(file, step, fluid);
+      write_hdf5_file(path, MPI_COMM_SELF, [&](dealii::HDF5::File &file) {
+        for (const auto &[name, values] : fields)
+          write_dataset(file, name, n_columns, values);
+        write_outline(file, step);
+        write_window(file, step);
+        write_attributes(file, step, fluid);
+      });
     });
   }
 } // namespace strait
