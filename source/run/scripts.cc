@@ -52,7 +52,10 @@ namespace strait
       while (const std::size_t n = std::fread(part.data(), 1, part.size(), pipe))
         said.append(part.data(), n);
       const bool succeeded = pclose(pipe) == 0;
-      return {succeeded, trim(said)};
+      said                 = trim(said);
+      if (!succeeded && said.empty())
+        said = name + " was killed: start again, with --resume if there are results.";
+      return {succeeded, said};
     }
 
     /** The output of scripts goes to the log, lines with this prefix as warnings. */
@@ -91,10 +94,7 @@ namespace strait
   {
     const ScriptResult result = run_script("whole_seal.py", scene.output.directory);
     if (!result.succeeded)
-      throw ComputationError(result.said.empty()
-                               ? "whole_seal.py was killed; its results "
-                                 "can be made with --resume."
-                               : result.said);
+      throw ComputationError(result.said);
     log.line(result.said);
   }
 

@@ -2,7 +2,7 @@
 #include <strait/base/collective.h>
 #include <strait/base/files.h>
 #include <strait/surface/map_writer.h>
-#include <strait/surface/readers/height_map.h>
+#include <strait/surface/readers/netcdf_header.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -51,17 +51,6 @@ namespace strait
    */
   HeightMap read_npy(const std::string &file);
 
-  /** The codes of types in the classic format of NetCDF. */
-  enum NetcdfType : std::uint64_t
-  {
-    type_byte   = 1,
-    type_char   = 2,
-    type_short  = 3,
-    type_int    = 4,
-    type_float  = 5,
-    type_double = 6
-  };
-
   /**
    * Read the variable "heights" of a NetCDF file in the classic format (CDF-1 or CDF-2)
    * and the layout of contact.engineering, as strait_import and write_netcdf_map() write
