@@ -89,15 +89,15 @@ namespace strait
       "Nx, Ny: grid points of the periodic box in x and y [1]; one number: both. "
       "Products of small primes are fastest. Surface/Kind = file, if empty: those of the "
       "map.";
-    section.add("Effective modulus", effective_modulus, positive).meaning =
-      "E*: contact modulus, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [pressure].";
-    section.add("Young's moduli", young_moduli, positive).meaning =
-      "E1, E2 of the two bodies, or E1 if the other one is rigid, in place of Effective "
-      "modulus [pressure].";
-    section.add("Poisson ratios", poisson_ratios, any_number.above(-1.).at_most(0.5))
-      .meaning                  = "nu1, nu2 of the same bodies [1].";
     ParameterSection theory_too = section.when("Enabled = true | Theory/Enabled = true");
     ParameterSection effect     = section.when("Enabled = true");
+    theory_too.add("Effective modulus", effective_modulus, positive).meaning =
+      "E*: contact modulus, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [pressure].";
+    theory_too.add("Young's moduli", young_moduli, positive).meaning =
+      "E1, E2 of the two bodies, or E1 if the other one is rigid, in place of Effective "
+      "modulus [pressure].";
+    theory_too.add("Poisson ratios", poisson_ratios, any_number.above(-1.).at_most(0.5))
+      .meaning = "nu1, nu2 of the same bodies [1].";
     theory_too.add("Hardness", hardness, not_negative).meaning =
       "H: pressure at which the softer body flows, about three times its yield stress "
       "[pressure]. The column validity compares the pressure of an elastic contact with "

@@ -92,6 +92,14 @@ TEST(Scene, ParametersWithoutEffectAreNamed)
       "without Contact/Enabled = true or Fluid/Enabled = true or Theory/Spectrum = "
       "surface these have no effect: Seed",
       "without Fluid/Enabled = true these have no effect: Bounds"}));
+  // A given gap has no elastic body, whose modulus would tell physical units.
+  const Overrides given = {"Contact/Enabled=false", "Contact/Effective modulus=3"};
+  EXPECT_EQ(warnings_of(given),
+            std::vector<std::string>{
+              "without Contact/Enabled = true or Theory/Enabled = true these have no "
+              "effect: Effective modulus"});
+  EXPECT_FALSE(scene_of("", given).has_physical_modulus());
+  EXPECT_TRUE(scene_of("", {given[1]}).has_physical_modulus());
   expect_in("Surface/Kind is no file", error_of("", {"Surface/File=/a/map.nc"}));
 }
 

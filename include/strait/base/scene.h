@@ -42,7 +42,8 @@ namespace strait
     bool
     has_physical_modulus() const
     {
-      return !units.pressure.empty() || contact.effective_modulus != 1.;
+      const bool is_used = contact.enabled || theory.enabled;
+      return !units.pressure.empty() || (is_used && contact.effective_modulus != 1.);
     }
 
     /** Whether the flow through two boxes in a row can be solved once that through one is
