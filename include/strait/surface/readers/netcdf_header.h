@@ -38,18 +38,21 @@ namespace strait
   class NetcdfHeader
   {
   public:
+    /** A property of the file or of a variable. */
     struct Attribute
     {
       std::string           text;
       std::optional<double> number; // if there is exactly one
     };
 
+    /** An axis of variables, with its number of values. */
     struct Dimension
     {
       std::string   name;
       std::uint64_t n = 0;
     };
 
+    /** An array, and where its values are in the file. */
     struct Variable
     {
       std::vector<std::uint64_t>       dimensions; // by their numbers
