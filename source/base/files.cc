@@ -21,6 +21,15 @@ namespace strait
     {
       return error == ENOSPC || error == EDQUOT || error == EFBIG;
     }
+
+    [[noreturn]] void
+    throw_unwritten(const std::string &what,
+                    const std::string &reason,
+                    const std::string &remedy)
+    {
+      throw ComputationError(what + " could not be written (" + reason + "); " + remedy +
+                             ", and continue with --resume if a step was complete.");
+    }
   } // namespace
 
   std::string
@@ -82,11 +91,16 @@ namespace strait
   void
   throw_unfinished(const std::string &what, const int error)
   {
-    const bool lacks_room = error == 0 || is_lack_of_room(error);
-    throw ComputationError(what + " could not be written (" +
-                           (error != 0 ? std::strerror(error) : "is the disk full?") +
-                           "); " + (lacks_room ? "make room" : "mend that") +
-                           ", and continue with --resume if a step was complete.");
+    const std::string reason = error != 0 ? std::strerror(error) : "is the disk full?";
+    if (error != 0 && !is_lack_of_room(error))
+      throw_unfinished(what, reason);
+    throw_unwritten(what, reason, "make room");
+  }
+
+  void
+  throw_unfinished(const std::string &what, const std::string &reason)
+  {
+    throw_unwritten(what, reason, "mend that");
   }
 
   void

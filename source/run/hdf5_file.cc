@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <strait/base/collective.h>
-#include <strait/base/exceptions.h>
+#include <strait/base/files.h>
 #include <strait/run/hdf5_file.h>
 
 #include <deal.II/base/hdf5.h>
@@ -70,9 +70,8 @@ namespace strait
       write(file);
     } // closes the file
     if (maximum(comm, failure.message.empty() ? 0. : 1.) > 0.)
-      throw ComputationError(
-        "The file '" + path + "' could not be written (HDF5: " +
-        (failure.message.empty() ? "failure on another rank" : failure.message) +
-        "); mend that, and continue with --resume if a step was complete.");
+      throw_unfinished("The file '" + path + "'",
+                       "HDF5: " + (failure.message.empty() ? "failure on another rank"
+                                                           : failure.message));
   }
 } // namespace strait

@@ -54,7 +54,7 @@ TEST(Hdf5File, ThatCannotBeCreatedIsAnError)
     << error;
 }
 
-TEST(Hdf5File, WithADatasetThatCannotBeWrittenIsAnError)
+TEST(Hdf5File, WithAGroupThatExistsIsAnError)
 {
   const test::TemporaryFolder folder;
   EXPECT_NE(error_of(folder.path() + "/twice.h5",

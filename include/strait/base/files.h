@@ -32,4 +32,7 @@ namespace strait
   /** Throw ComputationError because @p what, such as "The file 'X'", of a run that has
    *  begun could not be written. @p error is the value of errno, 0 if unknown. */
   [[noreturn]] void throw_unfinished(const std::string &what, int error = 0);
+
+  /** The same for a @p reason that is not a lack of room. */
+  [[noreturn]] void throw_unfinished(const std::string &what, const std::string &reason);
 } // namespace strait

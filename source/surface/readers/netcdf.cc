@@ -57,10 +57,10 @@ namespace strait
     double
     rise_of(const std::string &file, const Variable &variable, const Dimension &along)
     {
-      const auto decode_one = [&](const char *at) { return decode(at, variable.type); };
+      const auto decode_one = [&](const char *at) { return variable.decode(at); };
       const std::vector<double> x =
-        read_values(
-          file, {along.n, 1, false, variable.begin, bytes_of(variable.type), decode_one})
+        read_values(file,
+                    {along.n, 1, false, variable.begin, variable.item_size(), decode_one})
           .values;
       const double rise = x.back() - x.front();
       const double step = rise / static_cast<double>(along.n - 1);
@@ -92,7 +92,7 @@ namespace strait
           variable.dimensions[0] >= header.dimensions.size())
         return stated;
       const Dimension &along = header.dimensions[variable.dimensions[0]];
-      if (along.name != name || along.n < 2 || !is_number(variable.type))
+      if (along.name != name || along.n < 2 || !variable.is_number())
         return stated;
       require_plain(file, variable, {"scale_factor", "add_offset"});
       const double rise   = rise_of(file, variable, along);
@@ -171,7 +171,7 @@ namespace strait
     const double stated = heights["_FillValue"].number.value_or(usual_fill);
     const double fill  = heights.type == type_float ? static_cast<float>(stated) : stated;
     const auto   value = [&](const char *bytes) {
-      const double number = decode(bytes, heights.type);
+      const double number = heights.decode(bytes);
       return number == fill ? std::numeric_limits<double>::quiet_NaN() : number;
     };
     HeightMap         map  = read_values(file,
@@ -179,7 +179,7 @@ namespace strait
                                  x_is_outer ? inner.n : outer.n,
                                  x_is_outer,
                                  heights.begin,
-                                 bytes_of(heights.type),
+                                 heights.item_size(),
                                  value});
     const std::string x    = x_is_outer ? outer.name : inner.name;
     std::string       unit = unit_of(heights, file);

@@ -11,30 +11,30 @@ namespace strait
   namespace
   {
     constexpr auto big = boost::endian::order::big;
-  }
 
-  bool
-  is_number(const std::uint64_t type)
-  {
-    return type >= type_byte && type <= type_double && type != type_char;
-  }
+    bool
+    is_a_number(const std::uint64_t type)
+    {
+      return type >= type_byte && type <= type_double && type != type_char;
+    }
 
-  std::uint64_t
-  bytes_of(const std::uint64_t type)
-  {
-    constexpr std::uint64_t bytes[] = {1, 1, 1, 2, 4, 4, 8};
-    return bytes[type <= type_double ? type : 0];
-  }
+    std::uint64_t
+    bytes_of(const std::uint64_t type)
+    {
+      constexpr std::uint64_t bytes[] = {1, 1, 1, 2, 4, 4, 8};
+      return bytes[type <= type_double ? type : 0];
+    }
 
-  double
-  decode(const char *bytes, const std::uint64_t type)
-  {
-    return type == type_double  ? load<double, big>(bytes)
-           : type == type_int   ? load<std::int32_t, big>(bytes)
-           : type == type_short ? load<std::int16_t, big>(bytes)
-           : type == type_byte  ? load<std::int8_t, big>(bytes)
-                                : load<float, big>(bytes);
-  }
+    double
+    decode_as(const std::uint64_t type, const char *bytes)
+    {
+      return type == type_double  ? load<double, big>(bytes)
+             : type == type_int   ? load<std::int32_t, big>(bytes)
+             : type == type_short ? load<std::int16_t, big>(bytes)
+             : type == type_byte  ? load<std::int8_t, big>(bytes)
+                                  : load<float, big>(bytes);
+    }
+  } // namespace
 
   const NetcdfHeader::Attribute &
   NetcdfHeader::Variable::operator[](const std::string &name) const
@@ -42,6 +42,24 @@ namespace strait
     static const Attribute none;
     const auto             found = attributes.find(name);
     return found == attributes.end() ? none : found->second;
+  }
+
+  bool
+  NetcdfHeader::Variable::is_number() const
+  {
+    return is_a_number(type);
+  }
+
+  std::uint64_t
+  NetcdfHeader::Variable::item_size() const
+  {
+    return bytes_of(type);
+  }
+
+  double
+  NetcdfHeader::Variable::decode(const char *bytes) const
+  {
+    return decode_as(type, bytes);
   }
 
   NetcdfHeader::NetcdfHeader(const std::string &file_)
@@ -123,8 +141,8 @@ namespace strait
         Attribute          &found = result[name];
         if (type == type_char)
           found.text = bytes.substr(0, bytes.find('\0'));
-        else if (length == 1 && is_number(type))
-          found.number = decode(bytes.data(), type);
+        else if (length == 1 && is_a_number(type))
+          found.number = decode_as(type, bytes.data());
       }
     return result;
   }

@@ -20,15 +20,6 @@ namespace strait
     type_double = 6
   };
 
-  /** Whether @p type is one of numbers. */
-  bool is_number(std::uint64_t type);
-
-  /** The bytes of a value of @p type. */
-  std::uint64_t bytes_of(std::uint64_t type);
-
-  /** The number of @p type whose bytes, the most significant first, are at @p bytes. */
-  double decode(const char *bytes, std::uint64_t type);
-
   /**
    * The header of a file in the classic format of NetCDF (CDF-1 or CDF-2): big-endian
    * numbers, and texts padded to four bytes. It is never read beyond the end of the file,
@@ -62,6 +53,15 @@ namespace strait
 
       /** The attribute @p name; an empty one if there is none. */
       const Attribute &operator[](const std::string &name) const;
+
+      /** Whether the values are numbers. */
+      bool is_number() const;
+
+      /** The bytes of a value. */
+      std::uint64_t item_size() const;
+
+      /** The value whose bytes, the most significant first, are at @p bytes. */
+      double decode(const char *bytes) const;
     };
 
     explicit NetcdfHeader(const std::string &file);
