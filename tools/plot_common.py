@@ -88,13 +88,9 @@ def scientific(value):
 
 
 def read_units(folder):
-    """The units named in run.json, or for several realisations in that of the first; empty if it
-    names none."""
-    path = folder / "run.json"
-    if not path.exists():
-        path = folder / "realisation-1" / "run.json"
+    """The units named in run.json; empty if it names none."""
     try:
-        units = json.loads(path.read_text(encoding="utf-8"))["units"]
+        units = json.loads((folder / "run.json").read_text(encoding="utf-8"))["units"]
         return {name: str(unit) for name, unit in units.items() if unit}
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return {}

@@ -121,12 +121,11 @@ class Run:
     def __init__(self, folder):
         self.folder = pathlib.Path(folder).absolute()  # whatever the current folder is later
         record = self.folder / "run.json"
-        # It is absent while the run goes on.
+        # It is absent while a run goes on.
         self.record = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
+        self._units = self.record.get("column_units", {})
         # Each of several realisations has a folder with a table of its own.
         is_ensemble = (self.folder / "ensemble.csv").exists()
-        self._units = self.record.get("column_units") or (
-            self._units_of_realisations() if is_ensemble else {})
         self.table = self.csv("ensemble.csv" if is_ensemble else "leakage.csv")
         self.keeper = None  # removes a temporary folder after the end of this object
 
@@ -141,16 +140,6 @@ class Run:
     def unit(self, column):
         """The unit of a column of any table; empty for texts, and if the scene states no units."""
         return self._units.get(column, "")
-
-    def _units_of_realisations(self):
-        """Units of the first realisation, and of loads that only ensemble.csv has; an ensemble has
-        no run.json."""
-        record = self.folder / "realisation-1" / "run.json"
-        if not record.exists():
-            return {}
-        units = json.loads(record.read_text(encoding="utf-8")).get("column_units", {})
-        return {**dict.fromkeys(("crossover_load", "theory_crossover_load"),
-                                units.get("pressure", "")), **units}
 
     def fields(self, step):
         """All data sets of fields-STEP.h5, those of a group in a dictionary of their own. Each

@@ -193,8 +193,14 @@ namespace strait
     state.finished.reset();
     state.has_begun = true;
     state.save(); // marks the folder as one of these realisations
-    Table<RealisationRow> table = ensemble_table(scene);
-    run_on_root(MPI_COMM_WORLD, [&]() { table.open(folder, true); });
+    Table<RealisationRow> table        = ensemble_table(scene);
+    const auto            write_record = [&]() {
+      write_record_of_ensemble(scene, n_ranks_in(MPI_COMM_WORLD), log);
+    };
+    run_on_root(MPI_COMM_WORLD, [&]() {
+      write_record(); // for all who read the table while it grows
+      table.open(folder, true);
+    });
 
     bool        all_converged = true;
     std::size_t n_done        = 0;
@@ -236,6 +242,7 @@ namespace strait
         fit_results(folder, log);
       if (scene.seal.enabled)
         assess_whole_seal(scene, log);
+      write_record(); // with all warnings
       draw_results(scene, log);
     });
     state.finished = RunSummary();

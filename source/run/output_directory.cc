@@ -75,7 +75,41 @@ namespace strait
         }
       return {{"step", step.number}, {"validity", step.validity()}, {"checks", checks}};
     }
+
+    /** Write run.json: what the record of each run has, and the members of @p others. */
+    void
+    write_record(const Scene     &scene,
+                 const int        n_ranks,
+                 const Log       &log,
+                 const RunRecord &others)
+    {
+      RunRecord record = {{"program", "strait"},
+                          {"version", version},
+                          {"ranks", n_ranks},
+                          {"grid",
+                           {{"nx", scene.contact.grid_points[0]},
+                            {"ny", scene.contact.grid_points[1]},
+                            {"lx", scene.surface.size[0]},
+                            {"ly", scene.surface.size[1]}}}};
+      record.update(others);
+      record["warnings"]   = log.warnings();
+      record["parameters"] = scene.resolved;
+      if (scene.units.are_complete())
+        {
+          record["units"]        = units_of_plots(scene.units);
+          record["column_units"] = units_of_columns(scene);
+        }
+      // Names of files may not be valid UTF-8.
+      write_text(scene.output.directory + "/run.json",
+                 record.dump(2, ' ', false, RunRecord::error_handler_t::replace));
+    }
   } // namespace
+
+  void
+  write_record_of_ensemble(const Scene &scene, const int n_ranks, const Log &log)
+  {
+    write_record(scene, n_ranks, log, RunRecord::object());
+  }
 
   OutputDirectory::OutputDirectory(const Scene &scene_,
                                    MPI_Comm     comm_,
@@ -160,29 +194,12 @@ namespace strait
     const auto of_steps = [](const std::vector<std::string> &records) {
       return RunRecord::parse("[" + join(records, ",") + "]");
     };
-    RunRecord record = {{"program", "strait"},
-                        {"version", version},
-                        {"ranks", n_ranks_in(comm)},
-                        {"grid",
-                         {{"nx", scene.contact.grid_points[0]},
-                          {"ny", scene.contact.grid_points[1]},
-                          {"lx", scene.surface.size[0]},
-                          {"ly", scene.surface.size[1]}}},
-                        {"bytes_per_grid_point", bytes_per_point},
-                        {"seconds", seconds},
-                        {"error_budget", of_steps(error_budget)},
-                        {"validity", of_steps(validity)},
-                        {"warnings", log.warnings()},
-                        {"parameters", scene.resolved}};
-    if (scene.units.are_complete())
-      {
-        record["units"]        = units_of_plots(scene.units);
-        record["column_units"] = units_of_columns(scene);
-      }
+    const RunRecord of_run = {{"bytes_per_grid_point", bytes_per_point},
+                              {"seconds", seconds},
+                              {"error_budget", of_steps(error_budget)},
+                              {"validity", of_steps(validity)}};
     run_on_root(comm, [&]() {
-      // Names of files may not be valid UTF-8.
-      write_text(path + "/run.json",
-                 record.dump(2, ' ', false, RunRecord::error_handler_t::replace));
+      write_record(scene, n_ranks_in(comm), log, of_run);
       draw_results(scene, log);
     });
     log.stage("");

@@ -191,9 +191,9 @@ class Ensembles(InAFolder):
     def test_loads_of_a_report_have_their_units(self):
         self.write(**{"realisation-1/leakage_csv":
                       "pressure,leak_rate,leak_rate_lower,leak_rate_upper,status\n1e5,1,1,1,ok\n",
-                      "realisation-1/run_json": json.dumps({"column_units": {
-                          "pressure": "Pa", "critical_load_lower": "Pa",
-                          "critical_load_upper": "Pa"}})})
+                      "run_json": json.dumps({"column_units": dict.fromkeys((
+                          "pressure", "critical_load_lower", "critical_load_upper",
+                          "crossover_load", "theory_crossover_load"), "Pa")})})
         done = run_tool("strait-report", self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         page = (self.folder / "report.html").read_text(encoding="utf-8")

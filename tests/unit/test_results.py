@@ -40,14 +40,13 @@ class ReadsARun(unittest.TestCase):
         with self.assertRaisesRegex(FileNotFoundError, "has no fit.csv; its tables: leakage.csv$"):
             Run(self.folder).csv("fit.csv")
 
-    def test_units_of_an_ensemble_are_those_of_its_realisations(self):
+    def test_an_ensemble_has_units_too(self):
         (self.folder / "ensemble.csv").write_text(
             "realisation,critical_load_lower,crossover_load,status\n1,0.2,0.1,ok\n")
         self.assertEqual(Run(self.folder).unit("critical_load_lower"), "")
-        first = self.folder / "realisation-1"
-        first.mkdir()
-        (first / "run.json").write_text(json.dumps({"column_units": {
-            "pressure": "MPa", "critical_load_lower": "MPa", "status": ""}}), encoding="utf-8")
+        (self.folder / "run.json").write_text(json.dumps({"column_units": {
+            "pressure": "MPa", "critical_load_lower": "MPa", "crossover_load": "MPa",
+            "status": ""}}), encoding="utf-8")
         run = Run(self.folder)
         self.assertEqual(run.unit("critical_load_lower"), "MPa")
         self.assertEqual(run.table.units, {"critical_load_lower": "MPa", "crossover_load": "MPa",

@@ -90,6 +90,10 @@ namespace strait
     RunSummary summary; // of the steps so far
   };
 
+  /** Write run.json for all realisations of @p scene together, without what is known of
+   *  one run only. For rank 0 only. */
+  void write_record_of_ensemble(const Scene &scene, int n_ranks, const Log &log);
+
   // The following functions run scripts on the results in an output directory. The output
   // of the scripts goes to the log. For rank 0 only.
 
