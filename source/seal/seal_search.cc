@@ -30,6 +30,12 @@ namespace strait
   std::vector<Transition>
   SealSearch::find_critical_loads(const SearchStart &first)
   {
+    if (scene.fluid.feedback.keeps_trapped_fluid())
+      log.warn(
+        "the search for the critical load takes long steps, in which less fluid is "
+        "trapped than in short ones: the load may be a few per cent too low, and so "
+        "are those of Reduced loads; compare with short steps of Load "
+        "programme/Pressures");
     std::vector<Transition> result;
     double                  slip_length = 0.;
     const auto              ask_load    = [&](const double load) {
