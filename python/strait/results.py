@@ -121,7 +121,7 @@ class Run:
     def __init__(self, folder):
         self.folder = pathlib.Path(folder).absolute()  # whatever the current folder is later
         record = self.folder / "run.json"
-        # It is absent while a run goes on.
+        # That of a single run is absent while it goes on.
         self.record = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
         self._units = self.record.get("column_units", {})
         # Each of several realisations has a folder with a table of its own.

@@ -744,8 +744,9 @@ class Damaged(Case):
     def test_known_troublemakers(self):
         """On these files the libraries read out of bounds, go on forever or take gigabytes."""
         data = pathlib.Path(__file__).resolve().parent / "data"
-        for path in (*sorted(data.glob("crashing.*")),
-                     data.parents[1] / "robustness/data/boundless.nc"):
+        for path in (*sorted(data.iterdir()), data.parents[1] / "robustness/data/boundless.nc"):
+            if path.name == "endless.h5":   # the next test
+                continue
             with self.subTest(path.name):
                 begin = time.monotonic()
                 self.check_exit(str(path), ".")
@@ -763,6 +764,7 @@ class Damaged(Case):
         self.assertEqual((result.returncode, result.stderr),
                          (2, f"strait_import: '{path}' is not read within 2 s.\n"))
         self.assertLess(time.monotonic() - begin, 10)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "map.nc")))
 
     def test_huge_claims(self):
         npy = b"\x93NUMPY\1\0v\0" + (b"{'descr': '<f8', 'fortran_order': False, 'shape': "
