@@ -13,6 +13,7 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -195,19 +196,18 @@ namespace strait::python
       const Use        use(*this);
       if (from)
         require_own(*from);
-      Scene of_path = scene;
-      of_path.programme.pressures.clear(); // they set the tolerance of jumps
       std::vector<Control> controls;
+      double               largest = 0.; // sets the tolerance of jumps
       for (const LoadOrControl &at : through)
         {
           controls.push_back(control_of(at));
-          of_path.programme.pressures.push_back(controls.back().target);
+          largest = std::max(largest, std::abs(controls.back().target));
         }
       State last = from;
       for (const Control &next : controls)
         {
           Arrival arrival =
-            strait::follow(seal, next, last.get(), aim(), step_rule(of_path));
+            strait::follow(seal, next, last.get(), aim(), step_rule(scene, largest));
           jumps.insert(jumps.end(), arrival.jumps.begin(), arrival.jumps.end());
           parted = !arrival.state;
           if (parted)

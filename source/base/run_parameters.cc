@@ -55,8 +55,8 @@ namespace strait
       .add("Jump tolerance", jump_tolerance, not_negative.at_most(1.))
       .meaning =
       "With adhesion: width to which a jump is enclosed in load, or in mean gap if that "
-      "is controlled, as a fraction of the largest of Pressures [1]; 0: jumps are not "
-      "looked for.";
+      "is controlled, as a fraction of the largest of Pressures or, at Reduced loads, of "
+      "these loads [1]; 0: jumps are not looked for.";
   }
 
   void

@@ -3,6 +3,7 @@
 #include <strait/seal/make_seal.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace strait
@@ -33,8 +34,15 @@ namespace strait
     };
     std::stable_sort(near_threshold.begin(), near_threshold.end(), comes_first);
     for (std::vector<LoadStop> *path : {&stops, &near_threshold})
-      if (!path->empty())
-        path->front().starts_new_path = true;
+      {
+        double largest = 0.;
+        for (const LoadStop &stop : *path)
+          largest = std::max(largest, std::abs(stop.target));
+        for (LoadStop &stop : *path)
+          stop.largest_on_path = largest;
+        if (!path->empty())
+          path->front().starts_new_path = true;
+      }
     stops.insert(stops.end(), near_threshold.begin(), near_threshold.end());
 
     const bool path_matters =
@@ -109,10 +117,13 @@ namespace strait
     // loads keep those with which it was found.
     const bool begins_at_start =
       !last || (begins_where_search_ended() && stop.is_reduced);
-    const std::optional<SealState> &from = begins_at_start ? start : last;
-    Arrival                         arrival =
-      follow(model, control, from ? &*from : nullptr, aim, step_rule(scene));
-    const bool is_last_from_start =
+    const std::optional<SealState> &from    = begins_at_start ? start : last;
+    Arrival                         arrival = follow(model,
+                             control,
+                             from ? &*from : nullptr,
+                             aim,
+                             step_rule(scene, stop.largest_on_path));
+    const bool                      is_last_from_start =
       stop.is_reduced || scene.programme.reduced_loads.empty();
     if (arrival.state && !begins_where_search_ended() && is_last_from_start)
       start.reset();

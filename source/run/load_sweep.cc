@@ -132,7 +132,7 @@ namespace strait
     const auto start_time  = Timers::Clock::now();
     const auto scope =
       timers.scope(scene.fluid.feedback.enabled ? "coupling" : "contact");
-    const StepRule rule = step_rule(scene);
+    const StepRule rule = step_rule(scene, stop.largest_on_path);
     step.flow.reset(); // its mesh was made for another gap
     if (flow)
       flow->release();

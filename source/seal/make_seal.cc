@@ -168,11 +168,8 @@ namespace strait
   }
 
   StepRule
-  step_rule(const Scene &scene)
+  step_rule(const Scene &scene, const double largest)
   {
-    double largest = 0;
-    for (const double target : scene.programme.pressures)
-      largest = std::max(largest, std::abs(target));
     return {scene.contact.control,
             scene.programme.jump_tolerance * largest,
             intermediate_tolerance_factor * scene.fluid.target_accuracy};

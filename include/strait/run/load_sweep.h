@@ -27,6 +27,7 @@ namespace strait
     bool   is_reduced      = false; // the target comes from a reduced load
     bool   starts_new_path = false; // a new path begins here
     bool   goes_further    = true;  // than all before it on its path, or as far
+    double largest_on_path = 0.;    // largest magnitude of the targets of its path
 
     /** "loading" or "unloading", as the scene says; in a cycle, or if the state depends
      *  on its past, the direction of the last change of the target. */

@@ -38,6 +38,7 @@ namespace strait
   SearchStart
   search_start(const Scene &scene, const ContactParameters &contact, double rms_slope);
 
-  /** Return which steps are too long for the accuracy that the scene asks for. */
-  StepRule step_rule(const Scene &scene);
+  /** Return which steps are too long for the accuracy that the scene asks for, on a path
+   *  on which no target has a magnitude above @p largest. */
+  StepRule step_rule(const Scene &scene, double largest);
 } // namespace strait
